@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands, one file each. They throw Error; main() maps it.
+#pragma once
+
+#include "options.h"
+
+namespace umbrage {
+
+int runRender(const RenderOptions& options, bool quiet);
+int runInspect(const InspectOptions& options);
+int runDevices();
+int runSchema(const SchemaOptions& options);
+
+}  // namespace umbrage

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "commands.h"
+#include "exit_codes.h"
+#include "scene/load_gltf.h"
+#include "scene/topology.h"
+
+namespace umbrage {
+namespace {
+
+const char* typeName(LightType type) {
+    switch (type) {
+        case LightType::Point: return "point";
+        case LightType::Spot: return "spot";
+        default: return "directional";
+    }
+}
+
+float durationOf(const Animation& animation) {
+    float seconds = 0.0f;
+    for (const Track& track : animation.tracks) seconds = std::max(seconds, track.timesSeconds.back());
+    return seconds;
+}
+
+void printNodes(const Scene& scene) {
+    fmt::print("nodes: {}\n", scene.nodes.size());
+    for (const Node& node : scene.nodes) {
+        std::string what;
+        if (node.mesh != kNone) what += fmt::format("  mesh {}", scene.meshes[std::size_t(node.mesh)].name);
+        if (node.skin != kNone) what += fmt::format("  skin of {} joints", scene.skins[std::size_t(node.skin)].joints.size());
+        if (node.camera != kNone) {
+            what += scene.cameras[std::size_t(node.camera)].perspective ? "  perspective camera" : "  orthographic camera";
+        }
+        if (node.light != kNone) {
+            const Light& light = scene.lights[std::size_t(node.light)];
+            what += fmt::format("  {} light {:g} {}", typeName(light.type), light.intensity,
+                                light.type == LightType::Directional ? "lx" : "cd");
+            if (light.rangeMetres > 0.0f) what += fmt::format(", range {:g} m", light.rangeMetres);
+        }
+        fmt::print("  {}{}\n", node.path, what);
+    }
+}
+
+void printMeshes(const Scene& scene) {
+    fmt::print("meshes: {}\n", scene.meshes.size());
+    for (const Mesh& mesh : scene.meshes) {
+        const MeshTopology::Figures f = buildTopology(mesh, scene.materials).figures;
+        fmt::print("  {}: {} triangles, {} vertices ({} welded), {} edges; {} of {} components closed", mesh.name,
+                   mesh.triangleCount(), mesh.positions.size(), f.weldedVertices, f.edges, f.closedComponents,
+                   f.components);
+        if (f.openEdges) fmt::print(", {} open edges", f.openEdges);
+        if (f.nonManifoldEdges) fmt::print(", {} edges of more than two triangles", f.nonManifoldEdges);
+        if (f.inconsistentEdges) fmt::print(", {} edges of inconsistent winding", f.inconsistentEdges);
+        if (f.degenerateTriangles) fmt::print(", {} triangles without area", f.degenerateTriangles);
+        if (!mesh.morphTargets.empty()) fmt::print(", {} morph targets", mesh.morphTargets.size());
+        fmt::print("\n");
+    }
+}
+
+}  // namespace
+
+int runInspect(const InspectOptions& options) {
+    GltfOptions gltf;
+    gltf.allowExternalFiles = options.allowExternalFiles;
+    const Scene scene = loadGltf(options.scene, gltf);
+    std::size_t placed = 0, lights = 0, cameras = 0;
+    for (const Node& node : scene.nodes) {
+        if (node.mesh != kNone) placed += scene.meshes[std::size_t(node.mesh)].triangleCount();
+        lights += node.light != kNone;
+        cameras += node.camera != kNone;
+    }
+    fmt::print("{}: {} triangles placed, {} lights, {} cameras, {} animations, {} materials, {} images\n", options.scene,
+               placed, lights, cameras, scene.animations.size(), scene.materials.size(), scene.images.size());
+    printNodes(scene);
+    printMeshes(scene);
+    fmt::print("animations: {}\n", scene.animations.size());
+    for (std::size_t i = 0; i < scene.animations.size(); ++i) {
+        const Animation& animation = scene.animations[i];
+        fmt::print("  {} {}: {:g} s, {} channels\n", i, animation.name, durationOf(animation), animation.channels.size());
+    }
+    fmt::print("extensions used: {}\n", fmt::join(scene.extensionsUsed, " "));
+    if (!scene.extensionsIgnored.empty()) fmt::print("extensions ignored: {}\n", fmt::join(scene.extensionsIgnored, " "));
+    for (const std::string& note : scene.notes) fmt::print("note: {}\n", note);
+    return kOk;
+}
+
+}  // namespace umbrage

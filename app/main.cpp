@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <exception>
+
+#include "commands.h"
+#include "exit_codes.h"
+
+int main(int argc, char** argv) {
+    using namespace umbrage;
+    try {
+        int exitCode = kOk;
+        const std::optional<Options> options = parseOptions(argc, argv, exitCode);
+        if (!options) return exitCode;
+        if (options->render) return runRender(*options->render, options->quiet);
+        if (options->inspect) return runInspect(*options->inspect);
+        if (options->schema) return runSchema(*options->schema);
+        return runDevices();
+    } catch (const Error& error) {
+        std::fprintf(stderr, "umbrage: error: %s\n", error.what());
+        return exitCodeOf(error.kind());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "umbrage: error: out of memory\n");
+        return kBadInput;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "umbrage: a bug in umbrage, please report it: %s\n", error.what());
+        return kFramesFailed;
+    }
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <map>
+
+#include "exit_codes.h"
+#include "version.h"
+
+namespace umbrage {
+namespace {
+
+constexpr const char* kFooter =
+    "Exit codes: 0 ok; 1 frames failed; 2 usage; 3 bad sequence or scene; 4 no OpenGL; 5 output could not be written;\n"
+    "130/143 interrupted. Results go to stdout, everything else to stderr.\n"
+    "Examples:\n"
+    "  umbrage render configs/courtyard.yaml --frames 1-48x2 --out /tmp/frames\n"
+    "  umbrage render scene.glb --size 640x480 --set shadow.count=z-fail\n"
+    "  umbrage inspect scene.glb";
+
+void addRender(CLI::App& app, RenderOptions& o) {
+    app.add_option("input", o.input, "sequence (.yaml) or scene (.gltf, .glb)")->required();
+    app.add_option("--frames", o.frames, "frames: 1-48, 1-100x2, 3,7,9-12; all: the whole first animation of a scene");
+    app.add_option("--size", o.size, "picture size: WIDTHxHEIGHT");
+    app.add_option("--camera", o.camera, "path or name of a camera in the scene");
+    app.add_option("--out", o.out, "folder for the files instead of the sequence's");
+    app.add_option("--set", o.set, "override a value: shadow.count=z-fail (repeatable)")->allow_extra_args(false);
+    app.add_option("--device", o.device, "OpenGL device: index or part of its name, see umbrage devices")
+        ->capture_default_str();
+    app.add_option("--ocio", o.ocio, "OpenColorIO configuration; wins over the sequence's and $OCIO");
+    app.add_option("--workers", o.workers, "threads that write files; 0 chooses")->capture_default_str();
+    const std::map<std::string, ProgressKind> kinds{{"auto", ProgressKind::Auto},
+                                                    {"bar", ProgressKind::Bar},
+                                                    {"lines", ProgressKind::Lines},
+                                                    {"none", ProgressKind::None}};
+    app.add_option("--progress", o.progress, "auto, bar, lines or none")->transform(CLI::CheckedTransformer(kinds))->option_text(" ");
+    app.add_flag("--allow-external-files", o.allowExternalFiles, "let scenes name files outside their folder");
+    app.add_flag("--dry-run", o.dryRun, "check everything, print the files that would be written, render nothing");
+}
+
+bool isCommand(const CLI::App& app, const std::string& name) {
+    const std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
+    return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == name; });
+}
+
+}  // namespace
+
+std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
+    Options options;
+    RenderOptions render;
+    InspectOptions inspect;
+    SchemaOptions schema;
+    CLI::App app{"umbrage: batch renderer with pixel-exact shadow volumes", "umbrage"};
+    app.footer(kFooter);
+    app.set_version_flag("--version", std::string("umbrage ") + kVersion);
+    app.require_subcommand(1);
+    app.add_flag("-q,--quiet", options.quiet, "only errors");
+    app.fallthrough();
+    CLI::App* renderCommand = app.add_subcommand("render", "render a sequence or a scene");
+    addRender(*renderCommand, render);
+    CLI::App* inspectCommand = app.add_subcommand("inspect", "say what is in a scene");
+    inspectCommand->add_option("scene", inspect.scene, "scene (.gltf, .glb)")->required();
+    inspectCommand->add_flag("--allow-external-files", inspect.allowExternalFiles,
+                             "let the scene name files outside its folder");
+    CLI::App* devicesCommand = app.add_subcommand("devices", "list OpenGL devices for --device");
+    CLI::App* schemaCommand = app.add_subcommand("schema", "print the JSON Schema of sequence files");
+    schemaCommand->add_flag("--markdown", schema.markdown, "the reference page instead");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const bool isHelp = error.get_exit_code() == int(CLI::ExitCodes::Success);
+        if (!isHelp && argc > 1 && argv[1][0] != '-' && !isCommand(app, argv[1])) {
+            std::cerr << "umbrage: there is no command '" << argv[1]
+                      << "'; commands are render, inspect, devices and schema (umbrage --help)\n";
+        } else {
+            app.exit(error, std::cout, std::cerr);
+        }
+        exitCode = isHelp ? kOk : kUsage;
+        return std::nullopt;
+    }
+    if (*renderCommand) options.render = render;
+    if (*inspectCommand) options.inspect = inspect;
+    if (*schemaCommand) options.schema = schema;
+    options.devices = bool(*devicesCommand);
+    return options;
+}
+
+}  // namespace umbrage

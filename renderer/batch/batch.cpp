@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "batch/batch.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <memory>
+
+#include "batch/frame_files.h"
+#include "batch/write_queue.h"
+#include "error.h"
+#include "frame/frame.h"
+#include "gpu/context.h"
+#include "image/image.h"
+#include "scene/compose.h"
+#include "version.h"
+
+namespace umbrage {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+GltfOptions gltfOptionsOf(const BatchOptions& options) {
+    GltfOptions gltf;
+    gltf.allowExternalFiles = options.allowExternalFiles;
+    return gltf;
+}
+
+glm::vec3 vec3Of(const std::array<double, 3>& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
+
+FrameSettings settingsOf(const Job& job) {
+    FrameSettings settings;
+    settings.width = job.image.width;
+    settings.height = job.image.height;
+    settings.samples = job.image.samples;
+    settings.shadows = job.shadow.enabled;
+    // Until there is a cost model, auto is what is fastest on every device measured so far.
+    settings.silhouette = job.shadow.silhouette == "auto" ? "compute" : job.shadow.silhouette;
+    settings.count = job.shadow.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
+    settings.eyeConstant = job.shadow.eyeConstant;
+    const auto halve = job.shadow.skips.find("halve");
+    settings.halveEvenComponents = halve == job.shadow.skips.end() || halve->second;
+    settings.background = vec3Of(job.image.background);
+    settings.ambientSky = vec3Of(job.image.ambientSky);
+    settings.ambientGround = vec3Of(job.image.ambientGround);
+    settings.profile = job.diagnostics.profile;
+    return settings;
+}
+
+/// Nothing in it changes from frame to frame of a picture that stands still.
+Metadata metadataOf(const Composition& composition, const gpu::DeviceInfo& device, const DisplayTransform& display,
+                    const Moment& moment) {
+    std::vector<std::string> lights;
+    for (const PlacedLight& light : moment.lights) lights.push_back(light.id);
+    return {{"umbrage:version", std::string(kVersion)},
+            {"umbrage:device", device.renderer + ", " + device.version},
+            {"umbrage:camera", composition.scene.nodes[std::size_t(composition.cameraNode)].path},
+            {"umbrage:lights", fmt::format("{}", fmt::join(lights, " "))},
+            {"umbrage:display", display.description()}};
+}
+
+void say(const Composition& composition, const gpu::Context& context, const Job& job, const FrameOutputs& outputs,
+         BatchObserver& observer) {
+    for (const std::string& note : composition.scene.notes) observer.note(note);
+    observer.note(fmt::format("device: {} ({})", context.info().renderer, context.info().version));
+    if (outputs.counts && settingsOf(job).halveEvenComponents) {
+        observer.note("counts are asked for, so every surface is counted (skip 'halve' is off)");
+    }
+}
+
+}  // namespace
+
+BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver& observer,
+                      const std::atomic<bool>& interrupted) {
+    const Clock::time_point start = Clock::now();
+    prefetchCodec();
+    BatchSummary summary;
+    const std::vector<int>& frames = job.time.frames.frames();
+    summary.requested = frames.size();
+    const auto timeOf = [&](int frame) { return double(frame) / job.time.framesPerSecond; };
+
+    const FrameOutputs outputs = neededOutputs(job);
+    const Composition composition = compose(job, gltfOptionsOf(options));
+    const gpu::Context context(options.device);
+    const Moment first = evaluate(composition.scene, composition.animations, timeOf(frames.front()));
+    FrameRenderer renderer(composition.scene, first, settingsOf(job), context);
+    const std::unique_ptr<DisplayTransform> display = codec().displayTransform(
+        {options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display, job.color.view,
+         job.color.exposureStops});
+    say(composition, context, job, outputs, observer);
+    observer.note(fmt::format("colour: {}", display->description()));
+    const Metadata metadata = metadataOf(composition, context.info(), *display, first);
+    summary.loadSeconds = secondsSince(start);
+    observer.started(frames.size());
+
+    const Clock::time_point renderStart = Clock::now();
+    Statistics statistics;
+    {
+        WriteQueue queue(options.workers, [&](const WriteQueue::Item& item) {
+            writeFrameFiles(job, item.frame, *item.pixels, *display, metadata);
+        });
+        const auto collect = [&](const std::vector<WriteQueue::Done>& done) {
+            for (const WriteQueue::Done& frame : done) {
+                summary.written.push_back(frame.frame);
+                if (job.diagnostics.profile) statistics.record(frame.frame, "", "time.encode", frame.milliseconds);
+                observer.frameWritten(frame.frame, summary.written.size(), frames.size());
+            }
+        };
+        for (const int frame : frames) {
+            if (interrupted) break;
+            const Clock::time_point frameStart = Clock::now();
+            const Moment moment = evaluate(composition.scene, composition.animations, timeOf(frame));
+            const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
+            auto pixels =
+                std::make_unique<FramePixels>(renderer.render(moment, camera, outputs, frame, statistics));
+            if (job.diagnostics.profile) {
+                statistics.record(frame, "", "time.frame", 1e3 * secondsSince(frameStart));
+                statistics.record(frame, "", "memory.peak", peakHostMemoryMebibytes());
+            }
+            queue.push({frame, std::move(pixels)});
+            collect(queue.takeDone());
+        }
+        collect(queue.finish());
+    }
+    std::sort(summary.written.begin(), summary.written.end());
+    std::set_difference(frames.begin(), frames.end(), summary.written.begin(), summary.written.end(),
+                        std::back_inserter(summary.missing));
+    summary.interrupted = interrupted && !summary.missing.empty();
+    summary.renderSeconds = secondsSince(renderStart);
+    summary.peakMemoryMebibytes = peakHostMemoryMebibytes();
+    if (!summary.written.empty()) summary.example = frameFiles(job, summary.written.front()).front();
+    if (!job.statistics.path.empty()) {
+        const bool csv = std::filesystem::path(job.statistics.path).extension() == ".csv";
+        const StatisticsHeader header{{"sequence", job.file.filename().string()},
+                                      {"version", std::string(kVersion)},
+                                      {"device", context.info().renderer},
+                                      {"clock", context.info().software ? "wall clock between glFinish calls"
+                                                                        : "GPU timer queries"}};
+        writeWhole(job.statistics.path, csv ? statistics.csv() : statistics.json(header));
+    }
+    return summary;
+}
+
+std::vector<std::filesystem::path> checkBatch(const Job& job, const BatchOptions& options) {
+    compose(job, gltfOptionsOf(options));
+    std::vector<std::filesystem::path> files;
+    for (const int frame : job.time.frames.frames()) {
+        const std::vector<std::filesystem::path> some = frameFiles(job, frame);
+        files.insert(files.end(), some.begin(), some.end());
+    }
+    return files;
+}
+
+}  // namespace umbrage

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "batch/write_queue.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace umbrage {
+
+WriteQueue::WriteQueue(int workerCount, std::function<void(const Item&)> write) : write_(std::move(write)) {
+    if (workerCount <= 0) workerCount = std::max(1, int(std::thread::hardware_concurrency()) - 1);
+    for (int i = 0; i < workerCount; ++i) workers_.emplace_back([this] { work(); });
+}
+
+WriteQueue::~WriteQueue() {
+    {
+        const std::lock_guard lock(mutex_);
+        closed_ = true;
+    }
+    changed_.notify_all();
+}
+
+void WriteQueue::rethrow() {
+    if (error_) std::rethrow_exception(error_);
+}
+
+void WriteQueue::push(Item item) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return waiting_.size() < workers_.size() || error_; });
+    rethrow();
+    waiting_.push_back(std::move(item));
+    changed_.notify_all();
+}
+
+std::vector<WriteQueue::Done> WriteQueue::takeDone() {
+    const std::lock_guard lock(mutex_);
+    rethrow();
+    return std::exchange(done_, {});
+}
+
+std::vector<WriteQueue::Done> WriteQueue::finish() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return (waiting_.empty() && writing_ == 0) || error_; });
+    rethrow();
+    return std::exchange(done_, {});
+}
+
+void WriteQueue::work() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [&] { return !waiting_.empty() || closed_; });
+        if (waiting_.empty() || error_) return;
+        const Item item = std::move(waiting_.front());
+        waiting_.pop_front();
+        ++writing_;
+        changed_.notify_all();
+        lock.unlock();
+        const auto start = std::chrono::steady_clock::now();
+        std::exception_ptr error;
+        try {
+            write_(item);
+        } catch (...) {
+            error = std::current_exception();
+        }
+        const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+        lock.lock();
+        --writing_;
+        if (error) {
+            if (!error_) error_ = error;
+        } else {
+            done_.push_back({item.frame, elapsed.count()});
+        }
+        changed_.notify_all();
+    }
+}
+
+}  // namespace umbrage

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Worker threads that write finished frames while the next is rendered. Bounded: when all workers are busy and as many
+// frames wait, push() waits, so memory stays bounded too.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "frame/frame.h"
+
+namespace umbrage {
+
+class WriteQueue {
+public:
+    struct Item {
+        int frame = 0;
+        std::unique_ptr<FramePixels> pixels;
+    };
+    struct Done {
+        int frame = 0;
+        double milliseconds = 0.0;
+    };
+
+    /// @param workerCount  0: one less than the processor has, at least one
+    WriteQueue(int workerCount, std::function<void(const Item&)> write);
+    ~WriteQueue();
+
+    /// @throws what a worker threw
+    void push(Item item);
+    /// Frames written since the last call, in no particular order. @throws what a worker threw
+    std::vector<Done> takeDone();
+    /// Waits for everything pushed. @throws what a worker threw
+    std::vector<Done> finish();
+
+private:
+    void work();
+    void rethrow();
+
+    std::function<void(const Item&)> write_;
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Item> waiting_;
+    std::vector<Done> done_;
+    std::exception_ptr error_;
+    std::size_t writing_ = 0;
+    bool closed_ = false;
+    std::vector<std::jthread> workers_;
+};
+
+}  // namespace umbrage

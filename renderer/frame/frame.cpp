@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/frame.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "error.h"
+#include "gpu/profiler.h"
+#include "shading/gbuffer.h"
+#include "shading/lights.h"
+#include "shading/materials.h"
+#include "shading/resolve.h"
+#include "shading/surfaces.h"
+#include "shadow/counts.h"
+#include "shadow/geometry.h"
+#include "shadow/layers.h"
+#include "shadow/masks.h"
+#include "shadow/overdraw.h"
+
+namespace umbrage {
+namespace {
+
+/// Lights that are on, in the moment's order; the others reach nothing and are skipped.
+std::vector<const PlacedLight*> lightsThatShine(const Moment& moment) {
+    std::vector<const PlacedLight*> shining;
+    for (const PlacedLight& light : moment.lights) {
+        if (isOn(light.light)) shining.push_back(&light);
+    }
+    return shining;
+}
+
+int checkedSamples(int samples, const gpu::Context& context) {
+    if (samples <= context.maxSamples()) return samples;
+    throw Error(ErrorKind::Input, "image.samples",
+                fmt::format("{} samples a pixel, but {} has at most {}", samples, context.info().renderer,
+                            context.maxSamples()));
+}
+
+}  // namespace
+
+struct FrameRenderer::Impl {
+    const Scene& scene;
+    FrameSettings settings;
+    gpu::Profiler profiler;
+    Geometry geometry;
+    Materials materials;
+    Surfaces surfaces;
+    GBuffer gbuffer;
+    Resolve resolve;
+    std::unique_ptr<SilhouetteTechnique> technique;
+    Silhouettes silhouettes;
+    LayerBound layerBound{geometry};
+    VolumeRenderer volumes;
+    std::unique_ptr<Masks> masks;        // made anew when the number of groups of lights grows
+    std::unique_ptr<Overdraw> overdraw;  // on first use
+    gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
+
+    Impl(const Scene& s, const Moment& first, const FrameSettings& wanted, const gpu::Context& context)
+        : scene(s),
+          settings(wanted),
+          profiler(wanted.profile, context.info().software),
+          geometry(s, first),
+          materials(s),
+          surfaces(s, geometry),
+          gbuffer(wanted.width, wanted.height, checkedSamples(wanted.samples, context)),
+          resolve(gbuffer),
+          technique(makeSilhouetteTechnique(wanted.silhouette)) {}
+
+    void begin(Counter pass) { profiler.pass(int(pass.index())); }
+
+    void uploadView(const Eye& eye, const std::vector<const PlacedLight*>& lights);
+    CountSettings findCasters(const Eye& eye, bool halve);
+    void castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
+                     int frame, Statistics& statistics, FramePixels& pixels);
+    void recordLight(const std::string& id, const LightGroup& group, std::uint32_t l,
+                     const std::vector<CountPlan>& plans, int frame, Statistics& statistics);
+    void recordFrame(const Moment& moment, std::size_t shining, int frame, Statistics& statistics) const;
+};
+
+void FrameRenderer::Impl::uploadView(const Eye& eye, const std::vector<const PlacedLight*>& lights) {
+    gpu::ViewData view = viewDataOf(eye);
+    view.background = {settings.background, 1.0f};
+    view.ambientSky = {settings.ambientSky, 0.0f};
+    view.ambientGround = {settings.ambientGround, 0.0f};
+    view.lightCount = std::uint32_t(lights.size());
+    viewBuffer.write(0, sizeof view, &view);
+    viewBuffer.bindUniform(BIND_VIEW);
+
+    std::vector<gpu::LightData> data;
+    std::vector<ShadowLight> shadowLights;
+    for (const PlacedLight* light : lights) {
+        data.push_back(lightData(*light, eye));
+        shadowLights.push_back(shadowLight(*light));
+    }
+    lightBuffer.reserve("lights", data.size() * sizeof(gpu::LightData));
+    lightBuffer.write(std::span<const gpu::LightData>(data));
+    lightBuffer.bindStorage(BIND_LIGHTS);
+    placeLights(geometry, shadowLights, silhouettes);
+    if (!masks || masks->texture().size().layers * LIGHTS_PER_GROUP < int(lights.size())) {
+        masks = std::make_unique<Masks>(gbuffer.depthStencil, view.lightCount);
+    }
+}
+
+/// T1: casters that are partly missing from the depth buffer need caps and are counted whole.
+CountSettings FrameRenderer::Impl::findCasters(const Eye& eye, bool halve) {
+    silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
+    silhouettes.casters.clearToZero();
+    gbuffer.depthOnly.bind();
+    surfaces.findExposed(geometry, materials, silhouettes.casters, eye);
+    silhouettes.hostCasters.resize(geometry.instanceCount());
+    silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
+                             silhouettes.hostCasters.data());
+    CountSettings counts;
+    counts.eyeConstant = settings.eyeConstant;
+    counts.perspective = eye.perspective;
+    counts.nearer = geometry.nearerThanNearPlane(eye);
+    counts.holed = surfaces.holed();
+    std::vector<bool> whole(geometry.instanceCount());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        whole[i] = !halve || counts.nearer[i] || counts.holed[i] || silhouettes.hostCasters[i].exposed != 0;
+    }
+    geometry.setWhole(whole);
+    return counts;
+}
+
+void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights,
+                                      const FrameOutputs& outputs, int frame, Statistics& statistics,
+                                      FramePixels& pixels) {
+    begin("time.silhouettes");
+    const bool halve = settings.halveEvenComponents && !outputs.counts;
+    const CountSettings countSettings = findCasters(eye, halve);
+    masks->clear();
+    if (outputs.overdraw) overdraw->clear();
+    // Also without any light there is one sweep: it sets up the triangles' planes.
+    for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
+        const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
+        begin("time.silhouettes");
+        std::uint32_t byFail = settings.count == CountTechnique::ZFail ? ~0u : 0u;
+        for (std::uint32_t l = 0; l < group.count; ++l) {
+            // Caps of both ends would be needed where there is no constant; without view rays that cross sides,
+            // z-pass needs neither (T5).
+            if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
+        }
+        findSilhouettes(*technique, geometry, group, byFail, outputs.figures, silhouettes);
+        if (!settings.shadows || group.count == 0) continue;
+        const std::vector<std::uint32_t> layers = layerBound.find(geometry, group, geometry.radiusMetres());
+        for (std::uint32_t l = 0; l < group.count; ++l) {
+            begin("time.counts");
+            const std::vector<CountPlan> plans = planCounts(silhouettes, group, l, layers[l], countSettings);
+            masks->count(plans, volumes, geometry, silhouettes, group, l);
+            profiler.pass(gpu::Profiler::kNoPass);
+            if (outputs.counts) {
+                LightPlanes& planes = pixels.lights[first + l];
+                planes.counts.assign(std::size_t(settings.width) * std::size_t(settings.height), 0);
+                if (!plans.empty()) planes.counts = masks->readCounts(plans.back());
+            }
+            if (outputs.overdraw) overdraw->add(plans, volumes, geometry, silhouettes, group, l);
+            if (outputs.figures) recordLight(pixels.lights[first + l].id, group, l, plans, frame, statistics);
+        }
+    }
+}
+
+void FrameRenderer::Impl::recordLight(const std::string& id, const LightGroup& group, std::uint32_t l,
+                                      const std::vector<CountPlan>& plans, int frame, Statistics& statistics) {
+    const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
+    double quads = 0, eyeConstant = 0, byFail = 0;
+    for (int list = 0; list < LIST_COUNT; ++list) {
+        quads += summary.lists[list].count / 6;
+        eyeConstant += summary.eyeInside[list];
+    }
+    for (const gpu::CasterState& caster : silhouettes.hostCasters) byFail += caster.countedByFail >> l & 1u;
+    const VolumeTotals totals =
+        countVolumeSamples(gbuffer.depthOnly, plans, volumes, geometry, silhouettes, group, l);
+    statistics.record(frame, id, "triangles.facing", summary.litTriangles);
+    statistics.record(frame, id, "edges.silhouette", summary.silhouetteEdges);
+    statistics.record(frame, id, "quads", quads);
+    statistics.record(frame, id, "eye.constant", eyeConstant);
+    statistics.record(frame, id, "casters.zfail", byFail);
+    statistics.record(frame, id, "overdraw.fragments", double(totals.fragments));
+    statistics.record(frame, id, "overdraw.updates", double(totals.updates));
+}
+
+void FrameRenderer::Impl::recordFrame(const Moment& moment, std::size_t shining, int frame,
+                                      Statistics& statistics) const {
+    double triangles = 0, edges = 0;
+    for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
+        const MeshTopology& topology = geometry.topologies()[geometry.meshOf(i)];
+        for (const bool casts : topology.casts) triangles += casts;
+        edges += topology.figures.edges;
+    }
+    statistics.record(frame, "", "triangles", triangles);
+    statistics.record(frame, "", "edges", edges);
+    statistics.record(frame, "", "lights.skipped", double(moment.lights.size() - shining));
+}
+
+FrameRenderer::FrameRenderer(const Scene& scene, const Moment& first, const FrameSettings& settings,
+                             const gpu::Context& context)
+    : impl_(std::make_unique<Impl>(scene, first, settings, context)) {
+    gpu::applyDefaults();
+}
+
+FrameRenderer::~FrameRenderer() = default;
+
+FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& camera, const FrameOutputs& outputs,
+                                  int frame, Statistics& statistics) {
+    Impl& r = *impl_;
+    const Eye eye = makeEye(camera, r.settings.width, r.settings.height);
+    const std::vector<const PlacedLight*> lights = lightsThatShine(moment);
+    FramePixels pixels;
+    for (const PlacedLight* light : lights) pixels.lights.push_back({light->id, {}, {}});
+    if (outputs.overdraw && !r.overdraw) r.overdraw = std::make_unique<Overdraw>(r.gbuffer.depthStencil);
+
+    r.begin("time.position");
+    r.geometry.update(r.scene, moment, eye);
+    r.uploadView(eye, lights);
+    r.begin("time.gbuffer");
+    r.gbuffer.begin();
+    r.surfaces.drawOpaque(r.geometry, r.materials, eye);
+    r.castShadows(eye, lights, outputs, frame, statistics, pixels);
+    r.begin("time.resolve");
+    r.resolve.shade(r.gbuffer, *r.masks, r.silhouettes);
+    if (r.surfaces.anyBlended()) {
+        r.begin("time.blended");
+        r.surfaces.drawBlended(r.geometry, r.materials, eye);
+    }
+    r.begin("time.readback");
+    pixels.radiance = r.resolve.readRadiance();
+    r.profiler.pass(gpu::Profiler::kNoPass);
+
+    if (outputs.geometry) {
+        const glm::mat3 worldFromView(eye.worldFromView);
+        pixels.normalAndDepth = r.resolve.readNormalAndDepth(r.gbuffer, *r.masks, r.silhouettes, worldFromView);
+    }
+    if (outputs.shadows) {
+        for (std::uint32_t first = 0; first < lights.size(); first += 4) {
+            const std::vector<float> four = r.resolve.readShadows(r.gbuffer, *r.masks, r.silhouettes, first);
+            for (std::size_t l = first; l < std::min<std::size_t>(first + 4, lights.size()); ++l) {
+                std::vector<float>& shadow = pixels.lights[l].shadow;
+                shadow.resize(four.size() / 4);
+                for (std::size_t i = 0; i < shadow.size(); ++i) shadow[i] = four[4 * i + l - first];
+            }
+        }
+    }
+    if (outputs.overdraw) {
+        pixels.overdrawFragments = r.overdraw->readFragments();
+        pixels.overdrawUpdates = r.overdraw->readUpdates();
+    }
+    if (outputs.figures) r.recordFrame(moment, lights.size(), frame, statistics);
+    for (const auto& [pass, milliseconds] : r.profiler.collect()) {
+        statistics.record(frame, "", Counter::at(std::size_t(pass)), milliseconds);
+    }
+    return pixels;
+}
+
+}  // namespace umbrage

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// One frame: moment -> positions -> G-buffer -> facing -> edges -> counts -> masks -> resolve -> pixels on the host.
+// FrameRenderer::render() reads like that line.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "diagnostics/statistics.h"
+#include "gpu/context.h"
+#include "scene/moment.h"
+#include "shadow/silhouette.h"
+
+namespace umbrage {
+
+enum class CountTechnique { ZPass, ZFail };
+
+struct FrameSettings {
+    int width = 1024, height = 768, samples = 1;
+    bool shadows = true;
+    std::string silhouette = "compute";
+    CountTechnique count = CountTechnique::ZPass;
+    bool eyeConstant = true;
+    bool halveEvenComponents = true;  // see shadow/counts.h; off whenever counts are asked for
+    glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
+    bool profile = false;
+};
+
+/// What is read back, beside the picture. Nothing asked for, nothing paid.
+struct FrameOutputs {
+    bool geometry = false;  // normals and depth
+    bool shadows = false, counts = false, overdraw = false;
+    bool figures = false;   // counters into Statistics
+};
+
+/// Planes are width x height, rows from the top.
+struct LightPlanes {
+    std::string id;
+    std::vector<float> shadow;          // 1: the light reaches the surface
+    std::vector<std::uint32_t> counts;  // shadow volumes that hold the surface point, modulo 256
+};
+
+struct FramePixels {
+    std::vector<float> radiance;        // RGBA, linear Rec.709
+    std::vector<float> normalAndDepth;  // world normal, distance along the view axis
+    std::vector<LightPlanes> lights;
+    std::vector<float> overdrawFragments, overdrawUpdates;
+};
+
+class FrameRenderer {
+public:
+    /// @param first  the scene at the first frame's time
+    /// @throws Error(Input, Device)
+    FrameRenderer(const Scene& scene, const Moment& first, const FrameSettings& settings, const gpu::Context& context);
+    ~FrameRenderer();
+
+    FramePixels render(const Moment& moment, const PlacedCamera& camera, const FrameOutputs& outputs, int frame,
+                       Statistics& statistics);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace umbrage

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/program.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <vector>
+
+namespace umbrage::gpu {
+namespace {
+
+/// Appends the shader's lines with includes replaced by the files they name.
+void expand(std::string_view source, std::string& out) {
+    while (!source.empty()) {
+        const std::size_t end = std::min(source.find('\n'), source.size() - 1);
+        const std::string_view line = source.substr(0, end + 1);
+        source.remove_prefix(end + 1);
+        if (line.starts_with("#include \"")) {
+            expand(shaderSource(line.substr(10, line.find('"', 10) - 10)), out);
+        } else if (!line.starts_with("#version") && !line.starts_with("#extension GL_GOOGLE_include_directive")) {
+            out += line;
+        }
+    }
+}
+
+GLenum stageOf(std::string_view name) {
+    if (name.ends_with(".vert")) return GL_VERTEX_SHADER;
+    if (name.ends_with(".frag")) return GL_FRAGMENT_SHADER;
+    return GL_COMPUTE_SHADER;
+}
+
+std::string infoLog(GLuint name, decltype(glGetProgramiv) get, decltype(glGetProgramInfoLog) getLog) {
+    GLint length = 0;
+    get(name, GL_INFO_LOG_LENGTH, &length);
+    std::string log(std::size_t(std::max(length, 1)), '\0');
+    getLog(name, length, nullptr, log.data());
+    return log;
+}
+
+GLuint compile(std::string_view name, Program::Defines defines) {
+    std::string text = "#version 450 core\n";
+    for (const std::string& define : defines) text += fmt::format("#define {}\n", define);
+    expand(shaderSource(std::string(name) + ".glsl"), text);
+    const GLuint shader = glCreateShader(stageOf(name));
+    const char* data = text.c_str();
+    glShaderSource(shader, 1, &data, nullptr);
+    glCompileShader(shader);
+    GLint compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) {
+        throw std::logic_error(
+            fmt::format("shader {} does not compile:\n{}", name, infoLog(shader, glGetShaderiv, glGetShaderInfoLog)));
+    }
+    return shader;
+}
+
+}  // namespace
+
+void deleteProgram(GLuint name) { glDeleteProgram(name); }
+
+Program::Program(std::string_view computeOrVertex, std::string_view fragment, Defines defines)
+    : handle_(glCreateProgram()) {
+    std::string label;
+    for (const std::string_view name : {computeOrVertex, fragment}) {
+        if (name.empty()) continue;
+        const GLuint shader = compile(name, defines);
+        glAttachShader(handle_.get(), shader);
+        glDeleteShader(shader);  // lives on with the program
+        label += fmt::format("{}{}", label.empty() ? "" : " + ", name);
+    }
+    glLinkProgram(handle_.get());
+    GLint linked = 0;
+    glGetProgramiv(handle_.get(), GL_LINK_STATUS, &linked);
+    if (!linked) {
+        throw std::logic_error(fmt::format("program {} does not link:\n{}", label,
+                                           infoLog(handle_.get(), glGetProgramiv, glGetProgramInfoLog)));
+    }
+    glObjectLabel(GL_PROGRAM, handle_.get(), -1, label.c_str());
+}
+
+void Program::dispatchGroups(GLuint groupCount) const {
+    if (groupCount == 0) return;
+    use();
+    // One dimension holds 65,535 groups everywhere; larger scenes take a second one (gl_WorkGroupID.y).
+    constexpr GLuint kRow = 65535;
+    glDispatchCompute(std::min(groupCount, kRow), (groupCount + kRow - 1) / kRow, 1);
+}
+
+}  // namespace umbrage::gpu

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Programs from the shaders embedded in the build (shaders/<pass>.<stage>.glsl), with #include resolved and
+// #defines chosen at run time. The build has checked every shader, so an error here is a bug of ours or the driver's.
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "gpu/objects.h"
+
+namespace umbrage::gpu {
+
+void deleteProgram(GLuint name);
+
+class Program {
+public:
+    using Defines = std::initializer_list<std::string>;  // "SAMPLES 4"
+
+    Program() = default;
+    /// A compute shader, or a vertex shader with or without a fragment shader.
+    explicit Program(std::string_view computeOrVertex, std::string_view fragment = {}, Defines defines = {});
+
+    GLuint name() const { return handle_.get(); }
+    void use() const { glUseProgram(handle_.get()); }
+    void uniform(GLint location, GLuint value) const { glProgramUniform1ui(handle_.get(), location, value); }
+    void uniform(GLint location, GLint value) const { glProgramUniform1i(handle_.get(), location, value); }
+    void uniform(GLint location, GLfloat value) const { glProgramUniform1f(handle_.get(), location, value); }
+
+    /// Runs a compute shader over at least `count` invocations of CHUNK_SIZE-wide groups.
+    void dispatchGroups(GLuint groupCount) const;
+
+private:
+    Handle<deleteProgram> handle_;
+};
+
+/// The text of an embedded shader. @throws std::out_of_range
+std::string_view shaderSource(std::string_view name);
+
+}  // namespace umbrage::gpu

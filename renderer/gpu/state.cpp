@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/state.h"
+
+namespace umbrage::gpu {
+namespace {
+
+void enable(GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); }
+
+GLenum depthFunction(Depth depth) {
+    switch (depth) {
+        case Depth::Nearer: return GL_GREATER;
+        case Depth::NearerOrEqual: return GL_GEQUAL;
+        case Depth::NotNearer: return GL_LEQUAL;
+        default: return GL_ALWAYS;
+    }
+}
+
+void applyStencil(const Stencil& stencil) {
+    enable(GL_STENCIL_TEST, stencil.enabled);
+    if (!stencil.enabled) return;
+    glStencilFunc(stencil.function, stencil.reference, 0xff);
+    glStencilMask(0xff);
+    glStencilOpSeparate(GL_FRONT, stencil.frontFail, stencil.frontDepthFail, stencil.frontPass);
+    glStencilOpSeparate(GL_BACK, stencil.backFail, stencil.backDepthFail, stencil.backPass);
+}
+
+void applyColor(ColorOp color) {
+    const GLboolean write = color != ColorOp::Off;
+    glColorMask(write, write, write, write);
+    enable(GL_COLOR_LOGIC_OP, color == ColorOp::OrBits);
+    if (color == ColorOp::OrBits) glLogicOp(GL_OR);
+    enable(GL_BLEND, color == ColorOp::Add || color == ColorOp::Over);
+    if (color == ColorOp::Add) glBlendFunc(GL_ONE, GL_ONE);
+    if (color == ColorOp::Over) glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // premultiplied
+}
+
+}  // namespace
+
+void apply(const RasterState& state) {
+    enable(GL_DEPTH_TEST, state.depth != Depth::Off);
+    glDepthFunc(depthFunction(state.depth));
+    glDepthMask(state.depthWrite);
+    enable(GL_DEPTH_CLAMP, state.depthClamp);
+    for (int i = 0; i < 2; ++i) enable(GLenum(GL_CLIP_DISTANCE0 + i), i < state.clipDistances);
+    enable(GL_CULL_FACE, state.cull != Cull::None);
+    glCullFace(state.cull == Cull::Front ? GL_FRONT : GL_BACK);
+    glFrontFace(state.frontIsClockwise ? GL_CW : GL_CCW);
+    applyStencil(state.stencil);
+    applyColor(state.color);
+}
+
+void applyDefaults() {
+    // Row 0 is the top row, as in image files: no picture is ever flipped.
+    glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+    glClearDepth(0.0);
+    glDisable(GL_DITHER);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+}
+
+}  // namespace umbrage::gpu

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fixed-function state of a draw, stated in full: nothing leaks from one pass into the next.
+#pragma once
+
+#include <epoxy/gl.h>
+
+namespace umbrage::gpu {
+
+enum class Depth { Off, Nearer, NearerOrEqual, NotNearer, Always };
+enum class Cull { None, Back, Front };
+enum class ColorOp { Off, Replace, OrBits, Add, Over };
+
+/// One rule for both faces, or two; the reference is compared with the stencil value under all 8 bits.
+struct Stencil {
+    bool enabled = false;
+    GLenum function = GL_ALWAYS;
+    GLint reference = 0;
+    GLenum frontFail = GL_KEEP, frontDepthFail = GL_KEEP, frontPass = GL_KEEP;
+    GLenum backFail = GL_KEEP, backDepthFail = GL_KEEP, backPass = GL_KEEP;
+};
+
+struct RasterState {
+    Depth depth = Depth::Off;
+    bool depthWrite = false;
+    bool depthClamp = false;       // off: clipped at the near plane
+    int clipDistances = 0;         // how many gl_ClipDistance are on
+    Cull cull = Cull::None;
+    bool frontIsClockwise = false;
+    ColorOp color = ColorOp::Off;
+    Stencil stencil;
+};
+
+/// Depth is reversed: nearer is greater (design.md section 2, rule 4).
+void apply(const RasterState& state);
+
+/// Once per context: [0,1] clip control, no dithering, seamless cube maps.
+void applyDefaults();
+
+}  // namespace umbrage::gpu

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is asked for: a sequence file as plain data (design.md section 4). readJob() parses strictly; nothing here
+// opens a scene, so names of nodes are checked later, by compose(), with the places kept here.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "job/frame_range.h"
+
+namespace umbrage {
+
+/// Where a value stands in the sequence file (1-based), or that it came from --set or a default (line 0).
+struct Place {
+    std::string file;
+    int line = 0, column = 0;
+
+    std::string text() const;  // "file:line:column", "--set shadow.count", ...
+};
+
+template <class T>
+struct Located {
+    T value{};
+    Place place;
+};
+
+enum class KeyInterpolation { Step, Linear };
+
+/// A constant, or {seconds: value, ...} held at both ends. N floats a value.
+template <int N>
+struct Sampled {
+    std::vector<double> timesSeconds;  // strictly increasing; empty: `values` holds one constant
+    std::vector<std::array<double, N>> values;
+    Place place;
+
+    bool animated() const { return !timesSeconds.empty(); }
+};
+
+struct LayerTransform {
+    std::array<double, 3> translate{0, 0, 0};      // metres
+    std::array<double, 3> rotateDegrees{0, 0, 0};  // about x, then y, then z
+    std::array<double, 3> scale{1, 1, 1};
+};
+
+/// scene: - gltf: FILE
+struct GltfLayer {
+    Located<std::filesystem::path> file;  // absolute, or relative to the working directory
+    Located<std::string> scene;           // name or index; empty: the file's default
+    Located<std::string> at;              // path of the node that becomes its parent; "" the root
+    LayerTransform transform;
+};
+
+/// Opinions on a light: in over: and in lights:. Angles in degrees in the file, radians here.
+struct LightOpinion {
+    std::optional<Sampled<1>> intensity;  // candela or lux, >= 0
+    std::optional<Sampled<3>> color;      // linear Rec.709, >= 0
+    std::optional<Sampled<1>> rangeMetres;
+    std::optional<Sampled<1>> innerConeAngle, outerConeAngle;
+    KeyInterpolation interpolation = KeyInterpolation::Linear;
+};
+
+/// scene: - over: {"/Glob*": {light: {...}}}
+struct OverLayer {
+    Located<std::string> glob;
+    LightOpinion light;
+};
+
+enum class JobLightType { Point, Spot, Directional };
+
+/// lights: an extra one. Spot and directional lights shine from `position` towards `target`.
+struct JobLight {
+    Located<std::string> name;
+    JobLightType type = JobLightType::Point;
+    Sampled<3> position{{}, {{0, 0, 0}}, {}};
+    Sampled<3> target{{}, {{0, 0, -1}}, {}};
+    LightOpinion light;
+};
+
+/// camera: a path or name of a glTF camera, or one described here.
+struct JobCamera {
+    Located<std::string> node;  // empty: described, or (described not set) the scene's first
+    bool described = false;
+    bool perspective = true;
+    Sampled<3> position{{}, {{0, 0, 5}}, {}};
+    Sampled<3> target{{}, {{0, 0, 0}}, {}};
+    double yfovDegrees = 45.0;
+    double ymag = 1.0;                // orthographic: half height in metres
+    double znear = 0.05, zfar = 0.0;  // zfar 0: infinite (perspective)
+    KeyInterpolation interpolation = KeyInterpolation::Linear;
+};
+
+struct JobDisplacement {
+    Located<std::string> glob;
+    float amplitude = 0.1f, frequency = 3.0f, speed = 1.0f;  // kind: noise
+};
+
+struct Job {
+    std::filesystem::path file;  // the sequence file, for messages; or the bare scene
+    std::vector<GltfLayer> gltfLayers;
+    std::vector<OverLayer> overLayers;
+    std::vector<JobLight> lights;
+    JobCamera camera;
+    std::optional<std::vector<Located<std::string>>> animations;  // names or indices; unset: [0] when there is one
+    std::vector<JobDisplacement> displacements;
+
+    struct Time {
+        double framesPerSecond = 24.0;
+        FrameRange frames = FrameRange::single(1);
+    } time;
+
+    struct ImageSettings {
+        int width = 1024, height = 768;
+        int samples = 1;
+        std::array<double, 3> background{0, 0, 0};     // linear Rec.709
+        std::array<double, 3> ambientSky{0, 0, 0};     // hemispheric: radiance from +Y ...
+        std::array<double, 3> ambientGround{0, 0, 0};  // ... and from -Y; equal: a constant ambient term
+    } image;
+
+    struct Shadow {
+        bool enabled = true;
+        std::string count = "auto";         // z-pass, z-fail
+        std::string silhouette = "auto";    // compute, cpu
+        bool eyeConstant = true;            // off: the textbook z-pass, wrong with the eye in a volume
+        std::map<std::string, bool> skips;  // skip name -> on; absent: on
+    } shadow;
+
+    struct Color {
+        std::string config;  // path of an OpenColorIO configuration; empty: --ocio, $OCIO, the built-in one
+        std::string display = "sRGB", view = "ACES SDR";
+        double exposureStops = 0.0;
+    } color;
+
+    struct Diagnostics {
+        std::vector<std::string> overlays;  // stencil, overdraw
+        bool profile = false;               // time each pass (T15)
+    } diagnostics;
+
+    struct Output {
+        std::string path = "{aov}.{frame:04}.{ext}";                 // resolved against the sequence file's folder
+        std::map<std::string, std::string> aovs{{"beauty", "png"}};  // AOV name -> file kind
+        int pngBits = 8;
+        bool exrHalf = true;  // beauty and normal as half; depth, counts and masks keep their own types
+    } output;
+
+    struct Statistics {
+        std::string path;  // .json or .csv; empty: none
+    } statistics;
+};
+
+/// What the command line adds to a sequence file.
+struct JobOverrides {
+    std::vector<std::string> set;  // "image.size=[640,480]": a YAML path and a YAML value
+};
+
+/// @throws Error(Input) with file:line:column, or with "--set NAME" for overrides
+Job readJob(const std::filesystem::path& sequenceFile, const JobOverrides& overrides = {});
+
+/// The same from text; relative paths are resolved against `folder`.
+Job parseJob(const std::string& yaml, const std::string& name, const std::filesystem::path& folder,
+             const JobOverrides& overrides = {});
+
+/// The job of a scene file without YAML: frame 1, output into the working directory's "out" folder.
+Job jobForScene(const std::filesystem::path& sceneFile, const JobOverrides& overrides = {});
+
+/// The JSON Schema (draft 2020-12) of sequence files, from the same table as the parser.
+std::string jobSchema();
+
+/// The reference page of the sequence file (Markdown), from the same table.
+std::string jobReference();
+
+}  // namespace umbrage

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "job/job_fields.h"
+
+#include "job/job_types.h"
+#include "job/names.h"
+
+namespace umbrage {
+namespace {
+
+template <std::size_t N>
+std::vector<std::string> namesOf(const std::array<NameAndMeaning, N>& table) {
+    std::vector<std::string> names;
+    for (const NameAndMeaning& entry : table) names.emplace_back(entry.name);
+    return names;
+}
+
+template <std::size_t N>
+std::string meaningsOf(const std::array<NameAndMeaning, N>& table) {
+    std::string text;
+    for (const NameAndMeaning& entry : table)
+        text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", entry.name, entry.meaning);
+    return text;
+}
+
+Type<float> single(const Limits& limits = {}) {
+    return converted<float>(
+        number(limits), [](double value, const YamlNode&) { return static_cast<float>(value); },
+        [](float value) { return std::stod(fmt::format("{}", value)); });  // .1, not .10000000149
+}
+
+Type<std::vector<JobDisplacement>> displacements() {
+    const auto noise = mapping<JobDisplacement>(
+        "displace", "A procedure that moves vertices along their normals, on the nodes whose path a glob matches.",
+        {
+            fieldThrough<JobDisplacement, std::string>(
+                "kind", choice({"noise"}), [](JobDisplacement&, const std::string&) {},
+                "The procedure: gradient noise of position and time", "noise"),
+            field<JobDisplacement>("amplitude", single(), &JobDisplacement::amplitude, "Largest displacement")
+                .in("metres"),
+            field<JobDisplacement>("frequency", single(atLeast(0)), &JobDisplacement::frequency,
+                                   "Of the noise in space")
+                .in("1/metre"),
+            field<JobDisplacement>("speed", single(), &JobDisplacement::speed, "Of the noise in time").in("1/second"),
+        });
+    return converted<std::vector<JobDisplacement>>(dictionary(noise, "a mapping {glob: procedure, ...}"),
+                                                   [](const auto& entries, const YamlNode&) {
+                                                       std::vector<JobDisplacement> made;
+                                                       for (const auto& [glob, displacement] : entries) {
+                                                           made.push_back(displacement);
+                                                           made.back().glob = glob;
+                                                       }
+                                                       return made;
+                                                   });
+}
+
+// --- settings ---
+
+Type<Job::Time> timeSettings() {
+    return mapping<Job::Time>(
+        "time", "Which frames; the time of frame f is f / fps seconds.",
+        {
+            field<Job::Time>("fps", number(above(0)), &Job::Time::framesPerSecond, "Frame rate").in("frames/second"),
+            field<Job::Time>("frames", frameRange(), &Job::Time::frames, "The frames to render"),
+        });
+}
+
+using Ambient = std::pair<Triple, Triple>;  // sky, ground
+
+Type<Ambient> ambient() {
+    const auto constant = converted<Ambient>(
+        color(),
+        [](const Triple& value, const YamlNode&) {
+            return Ambient{value, value};
+        },
+        [](const Ambient& value) { return value.first; });
+    const auto hemispheric =
+        mapping<Ambient>("ambient", "Light from everywhere, by the direction of the surface.",
+                         {
+                             field<Ambient>("sky", color(), &Ambient::first, "Radiance from above (+Y)"),
+                             field<Ambient>("ground", color(), &Ambient::second, "Radiance from below"),
+                         });
+    return either(constant, hemispheric, [](const YamlNode& node) { return !node.isMapping(); });
+}
+
+Type<Job::ImageSettings> imageSettings() {
+    using Image = Job::ImageSettings;
+    const Image byDefault;
+    return mapping<Image>(
+        "image", "The picture.",
+        {
+            fieldThrough<Image, std::array<int, 2>>(
+                "size", arrayOf<2>(integer(between(1, 16384)), "a list [width, height]"),
+                [](Image& image, const std::array<int, 2>& size) { image.width = size[0], image.height = size[1]; },
+                "Width and height in pixels", {{byDefault.width, byDefault.height}}),
+            field<Image>("samples", oneOf({1, 2, 4, 8, 16}), &Image::samples,
+                         "Samples a pixel; what the device cannot do is an error when rendering starts"),
+            field<Image>("background", color(), &Image::background, "Where nothing is hit"),
+            fieldThrough<Image, Ambient>("ambient", ambient(),
+                                         [](Image& image, const Ambient& value) {
+                                             image.ambientSky = value.first, image.ambientGround = value.second;
+                                         },
+                                         "Light from everywhere that no shadow takes away",
+                                         {{byDefault.ambientSky, byDefault.ambientGround}}),
+        });
+}
+
+Type<Job::Shadow> shadowSettings() {
+    using Shadow = Job::Shadow;
+    return mapping<Shadow>(
+        "shadow", "How shadows are found. auto takes the fastest exact technique and says which.",
+        {
+            field<Shadow>("enabled", boolean(), &Shadow::enabled, "off: everything is lit"),
+            field<Shadow>("count", choice({"auto", "z-pass", "z-fail"}), &Shadow::count, "How pixels are counted"),
+            field<Shadow>("silhouette", choice({"auto", "compute", "cpu"}), &Shadow::silhouette,
+                          "How silhouette edges are found"),
+            field<Shadow>("eyeConstant", boolean(), &Shadow::eyeConstant,
+                          "off: plain z-pass, which is wrong with the eye in a shadow"),
+            field<Shadow>("skips", mapOf(boolean(), "a mapping {name of a skip: true or false}"), &Shadow::skips,
+                          "Turns single skips of work without effect off; all are on"),
+        });
+}
+
+Type<Job::Color> colorSettings() {
+    using Color = Job::Color;
+    return mapping<Color>(
+        "color", "From linear Rec.709 to the display; for PNG only, EXR stays linear.",
+        {
+            field<Color>("config", text("a path"), &Color::config,
+                         "An OpenColorIO configuration, from this file's folder; --ocio wins over it")
+                .unset("$OCIO, or the one in the program"),
+            field<Color>("display", text(), &Color::display, "The display, by its name there"),
+            field<Color>("view", text(), &Color::view, "The view, by its name there"),
+            field<Color>("exposure", number(), &Color::exposureStops, "Brightens the picture").in("stops"),
+        });
+}
+
+Type<Job::Diagnostics> diagnosticsSettings() {
+    using Diagnostics = Job::Diagnostics;
+    return mapping<Diagnostics>(
+        "diagnostics", "Pictures and numbers for people who want to know why.",
+        {
+            field<Diagnostics>("overlays", listOf(choice(namesOf(kOverlays)), "a list of overlays"),
+                               &Diagnostics::overlays, "Pictures with a legend: " + meaningsOf(kOverlays)),
+            field<Diagnostics>("profile", boolean(), &Diagnostics::profile,
+                               "Measures each pass; slower, because every pass is waited for"),
+        });
+}
+
+Type<Job::Output> outputSettings() {
+    using Output = Job::Output;
+    return mapping<Output>(
+        "output", "The files.",
+        {
+            field<Output>("path", text("a path with fields"), &Output::path,
+                          "Name of each file, from this file's folder. Fields: {aov}, {frame} or {frame:04} (digits), "
+                          "{ext}, {scene} (this file's name); {{ and }} are braces"),
+            field<Output>("aovs", mapOf(choice({"png", "exr"}), "a mapping {AOV: png or exr}", namesOf(kAovs)),
+                          &Output::aovs, "What is written: " + meaningsOf(kAovs)),
+            field<Output>("pngBits", oneOf({8, 16}), &Output::pngBits, "Bits a channel of PNG files"),
+            field<Output>("exrHalf", boolean(), &Output::exrHalf, "off: beauty and normal as 32-bit floats"),
+        });
+}
+
+Type<Job::Statistics> statisticsSettings() {
+    using Statistics = Job::Statistics;
+    const auto path = converted<std::string>(
+        text("a path that ends with .json or .csv"),
+        [](const std::string& value, const YamlNode& node) {
+            if (!value.ends_with(".json") && !value.ends_with(".csv"))
+                refuseType(node, "path", "a path that ends with .json or .csv");
+            return value;
+        },
+        [](const std::string& value) { return value; });
+    return mapping<Statistics>("statistics", "Numbers per frame and light.",
+                               {field<Statistics>("path", path, &Statistics::path, "The file, from this file's folder")
+                                    .unset("none is written")});
+}
+
+void setLayers(Job& job, const std::vector<Layer>& layers) {
+    for (const Layer& entry : layers) {
+        if (const auto* gltf = std::get_if<GltfLayer>(&entry)) job.gltfLayers.push_back(*gltf);
+        if (const auto* overs = std::get_if<Overs>(&entry))
+            job.overLayers.insert(job.overLayers.end(), overs->begin(), overs->end());
+    }
+}
+
+void checkJob(const Job& job, const YamlNode& node) {
+    if (job.gltfLayers.empty()) refuse(*node.find("scene"), "the scene has no glTF layer", "add - gltf: FILE");
+}
+
+}  // namespace
+
+Type<Job> sequenceType() {
+    const auto animations = opinion(listOf(located(nameOrIndex()), "a list of names or indices"));
+    return mapping<Job>(
+        "sequence", "The whole file.",
+        {
+            fieldThrough<Job, int>(
+                "umbrage", oneOf({1}), [](Job&, int) {}, "Version of this format")
+                .required(),
+            fieldThrough<Job, std::vector<Layer>>("scene", layers(), setLayers,
+                                                  "What is there; at least one glTF layer")
+                .required(),
+            field<Job>("lights", extraLights(), &Job::lights, "Lights besides those of the files").unset("none"),
+            field<Job>("camera", camera(), &Job::camera, "Path, name or index of a camera in the scene, or a new one")
+                .unset("the scene's first, or one that sees everything"),
+            field<Job>("animations", animations, &Job::animations,
+                       "Which of the files' animations play, by name or index; [] none")
+                .unset("[0] where there is one"),
+            field<Job>("displace", displacements(), &Job::displacements, "Procedures on meshes, by glob").unset("none"),
+            field<Job>("time", timeSettings(), &Job::time, "Frames and frame rate"),
+            field<Job>("image", imageSettings(), &Job::image, "Size, samples, background, ambient light"),
+            field<Job>("shadow", shadowSettings(), &Job::shadow, "Techniques"),
+            field<Job>("color", colorSettings(), &Job::color, "Colour management"),
+            field<Job>("diagnostics", diagnosticsSettings(), &Job::diagnostics, "Overlays and profiling"),
+            field<Job>("output", outputSettings(), &Job::output, "Files to write"),
+            field<Job>("statistics", statisticsSettings(), &Job::statistics, "Numbers to write"),
+        },
+        checkJob);
+}
+
+}  // namespace umbrage

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// From text to a Job: tree, overrides, table, then what needs more than one value (paths and output names).
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "error.h"
+#include "job/job_fields.h"
+#include "job/output_path.h"
+#include "job/overrides.h"
+
+namespace umbrage {
+namespace {
+
+constexpr const char* kName = "the sequence";
+
+std::filesystem::path resolved(const std::filesystem::path& folder, const std::filesystem::path& path) {
+    return (folder / path).lexically_normal();  // an absolute path replaces the folder
+}
+
+// Where output.path stands, or what is nearest to it.
+std::string outputPlace(const YamlNode& root) {
+    const YamlNode* output = root.find("output");
+    const YamlNode* path = output ? output->find("path") : nullptr;
+    return (path ? path : output ? output : &root)->place.text();
+}
+
+Job jobFromTree(YamlNode root, const std::filesystem::path& file, const std::filesystem::path& folder,
+                const JobOverrides& overrides) {
+    if (root.kind == YamlNode::Kind::Null)
+        refuse(root, "the file is empty", "a sequence begins with umbrage: 1 and scene:");
+    for (const std::string& assignment : overrides.set) applyOverride(root, assignment);
+    if (root.isMapping() && !root.find("umbrage"))
+        refuse(root, "the version key is missing", "add the line umbrage: 1");
+
+    Job job = sequenceType().read(root, kName);
+    job.file = file;
+    for (GltfLayer& layer : job.gltfLayers) layer.file.value = resolved(folder, layer.file.value);
+    checkOutputPath(job, outputPlace(root));
+    job.output.path = outputTemplateIn(folder, job.output.path);
+    if (!job.statistics.path.empty()) job.statistics.path = resolved(folder, job.statistics.path).string();
+    if (!job.color.config.empty()) job.color.config = resolved(folder, job.color.config).string();
+    return job;
+}
+
+std::string contentsOf(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const bool isFolder = std::filesystem::is_directory(file, ignored);
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || isFolder)
+        throw Error(ErrorKind::Input, file.string(),
+                    isFolder ? "this is a folder, not a sequence file"
+                             : std::string("cannot be read: ") + std::strerror(errno));
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+YamlNode mappingNode(std::vector<std::pair<std::string, YamlNode>> entries, const Place& place) {
+    YamlNode node{.kind = YamlNode::Kind::Mapping, .place = place};
+    for (auto& [key, value] : entries) {
+        node.keys.push_back({.kind = YamlNode::Kind::Scalar, .plain = true, .scalar = key, .place = place});
+        node.items.push_back(std::move(value));
+    }
+    return node;
+}
+
+}  // namespace
+
+Job readJob(const std::filesystem::path& sequenceFile, const JobOverrides& overrides) {
+    return jobFromTree(parseYaml(contentsOf(sequenceFile), sequenceFile.string()), sequenceFile,
+                       sequenceFile.parent_path(), overrides);
+}
+
+Job parseJob(const std::string& yaml, const std::string& name, const std::filesystem::path& folder,
+             const JobOverrides& overrides) {
+    return jobFromTree(parseYaml(yaml, name), name, folder, overrides);
+}
+
+Job jobForScene(const std::filesystem::path& sceneFile, const JobOverrides& overrides) {
+    const Place place{sceneFile.string(), 0, 0};
+    const auto scalar = [&](const std::string& text, bool plain) {
+        return YamlNode{.kind = YamlNode::Kind::Scalar, .plain = plain, .scalar = text, .place = place};
+    };
+    YamlNode layers{.kind = YamlNode::Kind::Sequence, .place = place};
+    layers.items.push_back(mappingNode({{"gltf", scalar(sceneFile.string(), false)}}, place));
+    YamlNode output = mappingNode({{"path", scalar("out/{scene}/{aov}.{frame:04}.{ext}", false)}}, place);
+    return jobFromTree(
+        mappingNode({{"umbrage", scalar("1", true)}, {"scene", std::move(layers)}, {"output", std::move(output)}},
+                    place),
+        sceneFile, {}, overrides);
+}
+
+}  // namespace umbrage

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Types that several parts of the table share, and the parts themselves, each in the file of its name.
+#pragma once
+
+#include <variant>
+
+#include "job/field_types.h"
+
+namespace umbrage {
+
+using Triple = std::array<double, 3>;
+
+inline Type<Triple> triple(const std::string& what, const Limits& limits = {}) {
+    return arrayOf<3>(number(limits), what);
+}
+inline Type<Triple> color() {
+    return triple("a colour [r, g, b], linear Rec.709", atLeast(0));
+}
+inline Type<Triple> point() {
+    return triple("a point [x, y, z]");
+}
+
+inline Type<KeyInterpolation> interpolation() {
+    return choiceOf<KeyInterpolation>({{"linear", KeyInterpolation::Linear}, {"step", KeyInterpolation::Step}});
+}
+
+/// Type<T> for a member that may stay empty.
+template <class T>
+Type<std::optional<T>> opinion(const Type<T>& type) {
+    return converted<std::optional<T>>(type,
+                                       [](T value, const YamlNode&) { return std::optional<T>(std::move(value)); });
+}
+
+// job_layers.cpp
+using Overs = std::vector<OverLayer>;
+using Layer = std::variant<GltfLayer, Overs>;
+Type<std::vector<Layer>> layers();
+
+// job_lights.cpp
+Type<std::vector<JobLight>> extraLights();
+/// What over: says about a light.
+Type<LightOpinion> lightOpinion();
+
+// job_camera.cpp
+Type<JobCamera> camera();
+
+}  // namespace umbrage

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names of output files: output.path is a template with the fields {aov}, {frame} or {frame:04}, {ext} and {scene};
+// {{ and }} stand for braces.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "job/job.h"
+
+namespace umbrage {
+
+/// The file of one image. {scene} is the name of the job's file without extension.
+/// @param aov  an AOV or overlay, as it shall appear in the name
+/// @throws Error(Input) if job.output.path is no valid template; jobs from readJob() have a valid one
+std::filesystem::path outputPath(const Job& job, const std::string& aov, int frame, const std::string& ext);
+
+/// Throws Error(Input) at `where` if the template is malformed or would give two images of the job the same name.
+void checkOutputPath(const Job& job, const std::string& where);
+
+/// Puts `folder` in front of a relative template.
+std::string outputTemplateIn(const std::filesystem::path& folder, const std::string& relativeTemplate);
+
+/// Replaces the folder part of output.path and of statistics.path: --out.
+void redirectOutput(Job& job, const std::filesystem::path& folder);
+
+}  // namespace umbrage

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/compose.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "error.h"
+#include "scene/compose_parts.h"
+#include "scene/node_paths.h"
+
+namespace umbrage {
+namespace {
+
+std::vector<Index> animationsCalled(const Scene& scene, const Located<std::string>& wanted) {
+    std::vector<Index> found;
+    std::vector<std::string> listed;
+    for (std::size_t i = 0; i < scene.animations.size(); ++i) {
+        if (scene.animations[i].name == wanted.value) found.push_back(static_cast<Index>(i));
+        listed.push_back(fmt::format("{} \"{}\"", i, scene.animations[i].name));
+    }
+    if (!found.empty()) return found;
+    std::size_t index = 0;
+    const char* end = wanted.value.data() + wanted.value.size();
+    const auto [rest, status] = std::from_chars(wanted.value.data(), end, index);
+    if (status == std::errc{} && rest == end && index < scene.animations.size()) return {static_cast<Index>(index)};
+    throw Error(ErrorKind::Input, wanted.place.text(), fmt::format("there is no animation \"{}\"", wanted.value),
+                listed.empty() ? "the scene has no animations" : fmt::format("there are: {}", fmt::join(listed, ", ")));
+}
+
+std::vector<Index> chooseAnimations(const Scene& scene, const Job& job) {
+    if (!job.animations) return scene.animations.empty() ? std::vector<Index>{} : std::vector<Index>{0};
+    std::vector<Index> chosen;
+    for (const auto& wanted : *job.animations)
+        for (const Index animation : animationsCalled(scene, wanted))
+            if (std::find(chosen.begin(), chosen.end(), animation) == chosen.end()) chosen.push_back(animation);
+    return chosen;
+}
+
+void addDisplacement(Scene& scene, const JobDisplacement& wanted) {
+    for (const Index node : matchingNodes(scene, wanted.glob, &Node::mesh, "mesh")) {
+        std::erase_if(scene.displacements, [&](const Displacement& earlier) { return earlier.node == node; });
+        scene.displacements.push_back({node, wanted.amplitude, wanted.frequency, wanted.speed});
+    }
+}
+
+}  // namespace
+
+Composition compose(const Job& job, const GltfOptions& options) {
+    Composition composition;
+    Scene& scene = composition.scene;
+    for (const GltfLayer& layer : job.gltfLayers) addLayer(scene, layer, options);
+    for (const OverLayer& over : job.overLayers) applyOver(scene, over);
+    for (const JobLight& light : job.lights) addLight(scene, light);
+    for (const JobDisplacement& displacement : job.displacements) addDisplacement(scene, displacement);
+    composition.animations = chooseAnimations(scene, job);
+
+    const double firstSeconds = job.time.frames.frames().front() / job.time.framesPerSecond;
+    composition.cameraNode = chooseCamera(scene, job.camera);
+    if (composition.cameraNode == kNone)
+        composition.cameraNode = addFramingCamera(scene, evaluate(scene, composition.animations, firstSeconds),
+                                                  static_cast<double>(job.image.width) / job.image.height);
+    if (nodesWith(scene, &Node::light).empty())
+        addDefaultLights(
+            scene, placeCamera(scene, evaluate(scene, composition.animations, firstSeconds), composition.cameraNode));
+    return composition;
+}
+
+}  // namespace umbrage

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nodes by their paths.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "job/job.h"
+#include "scene/scene.h"
+
+namespace umbrage {
+
+/// '*' is any text and '?' any character within one part of a path, '**' any text at all; the rest is literal.
+bool matchesGlob(std::string_view glob, std::string_view path);
+
+/// The node of that path, or kNone.
+Index findNode(const Scene& scene, std::string_view path);
+
+/// `path`, or with an index behind it where a node of `scene` has it already.
+std::string freePath(const Scene& scene, const std::string& path);
+
+/// Adds a node at the end. @param parent  kNone for a root
+Index addNode(Scene& scene, Index parent, const std::string& name, const std::string& path);
+
+/// Nodes that have something: &Node::light, &Node::mesh, &Node::camera.
+std::vector<Index> nodesWith(const Scene& scene, Index Node::*what);
+
+/// Those of them that the glob matches. @throws Error(Input) at the glob's place if there is none
+/// @param noun  what they have, for the message: "light"
+std::vector<Index> matchingNodes(const Scene& scene, const Located<std::string>& glob, Index Node::*what,
+                                 const std::string& noun);
+
+}  // namespace umbrage

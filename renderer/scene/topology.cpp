@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/topology.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <numeric>
+
+namespace umbrage {
+namespace {
+
+/// The bits of everything that moves a vertex, so that equal keys can never separate.
+class VertexKeys {
+public:
+    explicit VertexKeys(const Mesh& mesh) {
+        width_ = 3 + 6 * mesh.influenceSets() + 3 * mesh.morphTargets.size();
+        words_.resize(width_ * mesh.positions.size());
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+            std::uint32_t* key = &words_[v * width_];
+            key = put(key, mesh.positions[v]);
+            const std::size_t sets = mesh.influenceSets();
+            for (std::size_t s = v * sets; s < (v + 1) * sets; ++s) {
+                std::memcpy(key, &mesh.joints[s], sizeof mesh.joints[s]);
+                std::memcpy(key + 2, &mesh.weights[s], sizeof mesh.weights[s]);
+                key += 6;
+            }
+            for (const MorphTarget& target : mesh.morphTargets) {
+                key = put(key, target.positions.empty() ? glm::vec3(0.0f) : target.positions[v]);
+            }
+        }
+    }
+
+    bool less(std::uint32_t a, std::uint32_t b) const {
+        return std::lexicographical_compare(at(a), at(a) + width_, at(b), at(b) + width_);
+    }
+    bool equal(std::uint32_t a, std::uint32_t b) const { return std::equal(at(a), at(a) + width_, at(b)); }
+
+private:
+    const std::uint32_t* at(std::uint32_t v) const { return &words_[v * width_]; }
+
+    static std::uint32_t* put(std::uint32_t* key, const glm::vec3& p) {
+        for (int i = 0; i < 3; ++i) *key++ = std::bit_cast<std::uint32_t>(p[i] + 0.0f);  // -0 becomes +0
+        return key;
+    }
+
+    std::size_t width_;
+    std::vector<std::uint32_t> words_;
+};
+
+/// No area exactly: the cross product of float differences is exact enough in long double to tell zero from the rest
+/// (differences of floats within 2^40 of each other need 64 bits; beyond that a triangle is not degenerate).
+/// In meshes that deform only triangles with two equal vertices stay without area.
+bool hasNoArea(const Mesh& mesh, const std::uint32_t* v) {
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return true;
+    if (!mesh.morphTargets.empty() || !mesh.joints.empty()) return false;
+    using Real = long double;
+    const auto difference = [&](std::uint32_t p, std::uint32_t q, int i) {
+        return Real(mesh.positions[p][i]) - Real(mesh.positions[q][i]);
+    };
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const Real x = difference(v[1], v[0], i) * difference(v[2], v[0], j);
+        const Real y = difference(v[1], v[0], j) * difference(v[2], v[0], i);
+        if (x != y) return false;
+    }
+    return true;
+}
+
+struct HalfEdge {
+    std::uint64_t vertices;  // a << 32 | b
+    std::uint32_t triangle;
+    bool reversed;
+};
+
+class Components {
+public:
+    explicit Components(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+    std::uint32_t root(std::uint32_t t) {
+        while (parent_[t] != t) t = parent_[t] = parent_[parent_[t]];
+        return t;
+    }
+    void join(std::uint32_t s, std::uint32_t t) { parent_[root(s)] = root(t); }
+
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+/// Turns the triangles of one edge into records, pairing opposite directions first: they cancel when both face the
+/// light alike, which keeps the records' multiplicities small.
+void appendRecords(std::span<const HalfEdge> halves, std::vector<MeshEdge>& edges) {
+    std::vector<const HalfEdge*> forward, backward, rest;
+    for (const HalfEdge& half : halves) (half.reversed ? backward : forward).push_back(&half);
+    const auto record = [&](const HalfEdge* left, const HalfEdge* right) {
+        MeshEdge edge;
+        edge.a = std::uint32_t(left->vertices >> 32);
+        edge.b = std::uint32_t(left->vertices);
+        edge.left = left->triangle;
+        edge.leftReversed = left->reversed;
+        if (right) {
+            edge.right = right->triangle;
+            edge.rightReversed = right->reversed;
+        }
+        edges.push_back(edge);
+    };
+    const std::size_t pairs = std::min(forward.size(), backward.size());
+    for (std::size_t i = 0; i < pairs; ++i) record(forward[i], backward[i]);
+    rest.insert(rest.end(), forward.begin() + std::ptrdiff_t(pairs), forward.end());
+    rest.insert(rest.end(), backward.begin() + std::ptrdiff_t(pairs), backward.end());
+    for (std::size_t i = 0; i < rest.size(); i += 2) record(rest[i], i + 1 < rest.size() ? rest[i + 1] : nullptr);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> weldVertices(const Mesh& mesh) {
+    const VertexKeys keys(mesh);
+    std::vector<std::uint32_t> order(mesh.positions.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        if (keys.less(a, b)) return true;
+        return !keys.less(b, a) && a < b;
+    });
+    std::vector<std::uint32_t> welded(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool same = i > 0 && keys.equal(order[i - 1], order[i]);
+        welded[order[i]] = same ? welded[order[i - 1]] : order[i];
+    }
+    return welded;
+}
+
+MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials) {
+    const std::uint32_t triangleCount = mesh.triangleCount();
+    MeshTopology topology;
+    topology.casts.assign(triangleCount, true);
+    topology.even.assign(triangleCount, false);
+    for (const Primitive& primitive : mesh.primitives) {
+        if (primitive.topology != Topology::Triangles || primitive.material == kNone) continue;
+        if (materials[std::size_t(primitive.material)].alphaMode != AlphaMode::Blend) continue;
+        for (std::uint32_t i = 0; i < primitive.indexCount; i += 3) topology.casts[(primitive.firstIndex + i) / 3] = false;
+    }
+
+    const std::vector<std::uint32_t> welded = weldVertices(mesh);
+    std::vector<HalfEdge> halves;
+    halves.reserve(3 * std::size_t(triangleCount));
+    std::vector<bool> vertexUsed(welded.size());
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {
+        const std::uint32_t v[3] = {welded[mesh.indices[3 * t]], welded[mesh.indices[3 * t + 1]],
+                                    welded[mesh.indices[3 * t + 2]]};
+        if (hasNoArea(mesh, v)) {
+            topology.figures.degenerateTriangles += topology.casts[t];
+            topology.casts[t] = false;
+        }
+        if (!topology.casts[t]) continue;
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t from = v[i], to = v[(i + 1) % 3];
+            vertexUsed[from] = true;
+            halves.push_back({std::uint64_t(std::min(from, to)) << 32 | std::max(from, to), t, from > to});
+        }
+    }
+    std::sort(halves.begin(), halves.end(), [](const HalfEdge& x, const HalfEdge& y) {
+        return x.vertices != y.vertices ? x.vertices < y.vertices : x.triangle < y.triangle;
+    });
+
+    Components components(triangleCount);
+    std::vector<bool> odd(triangleCount), open(triangleCount);  // marks on some triangle of the component
+    topology.edges.reserve(halves.size() / 2);
+    auto& figures = topology.figures;
+    for (std::size_t begin = 0, end = 0; begin < halves.size(); begin = end) {
+        while (end < halves.size() && halves[end].vertices == halves[begin].vertices) ++end;
+        const std::span<const HalfEdge> group(&halves[begin], end - begin);
+        for (const HalfEdge& half : group) components.join(half.triangle, group.front().triangle);
+        if (group.size() % 2) odd[group.front().triangle] = true;
+        if (group.size() != 2) open[group.front().triangle] = true;
+        ++figures.edges;
+        figures.openEdges += group.size() == 1;
+        figures.nonManifoldEdges += group.size() > 2;
+        if (group.size() == 2 && group[0].reversed == group[1].reversed) {
+            ++figures.inconsistentEdges;
+            open[group.front().triangle] = true;
+        }
+        appendRecords(group, topology.edges);
+    }
+
+    std::vector<bool> rootOdd(triangleCount), rootOpen(triangleCount);
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {
+        if (odd[t]) rootOdd[components.root(t)] = true;
+        if (open[t]) rootOpen[components.root(t)] = true;
+    }
+    for (std::uint32_t t = 0; t < triangleCount; ++t) {
+        if (!topology.casts[t]) continue;
+        const std::uint32_t root = components.root(t);
+        topology.even[t] = !rootOdd[root];
+        if (root == t) {
+            ++figures.components;
+            figures.closedComponents += !rootOpen[t];
+        }
+    }
+    figures.weldedVertices = std::uint32_t(std::count(vertexUsed.begin(), vertexUsed.end(), true));
+    return topology;
+}
+
+}  // namespace umbrage

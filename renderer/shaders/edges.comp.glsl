@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// Silhouettes of up to 32 lights at once from the stored facing bits (after Brabec & Seidel 2003, section 4.2: several
+// lights an edge): the multiplicity m of every edge is the signed sum over its triangles (algorithms.md 1.0), and every
+// edge with m != 0 is appended to its light's list, drawn indirectly.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "geometry.glsl"
+#include "casters.glsl"
+
+layout(local_size_x = CHUNK_SIZE) in;
+
+layout(std430, binding = BIND_EDGES) readonly buffer Edges { Edge edges[]; };
+layout(std430, binding = BIND_EDGE_CHUNKS) readonly buffer EdgeChunks { uint edgeChunks[]; };
+layout(std430, binding = BIND_FACING) readonly buffer Facing { uvec2 facing[]; };
+// capacity entries for each list of each light: placed edge << 1 | (m < 0)
+layout(std430, binding = BIND_QUADS) writeonly buffer Quads { uint quads[]; };
+
+layout(location = 0) uniform uint chunkCount;
+layout(location = 1) uniform uint facingBase;
+layout(location = 6) uniform uint capacity;
+
+/// T4: the point that the count starts from (the eye, or for an orthographic eye an end of the view rays, w = 0) so
+/// close to the plane of the side quad, and within its wedge, that the rasteriser and the eye constant may disagree
+/// about which side it is on. The wedge is widened by 2^-6 in its own coordinates; outside it the quad is seen edge-on
+/// and covers nothing to disagree about.
+bool hazardous(vec4 eye, vec4 light, vec3 a, vec3 b) {
+    if (eye.w == 0.0 && light.w == 0.0) return false;  // such counts have no constant
+    vec3 e = eye.w == 0.0 ? eye.xyz : (light.w == 0.0 ? eye.xyz - a : eye.xyz - light.xyz);
+    vec3 u = light.w == 0.0 ? b - a : a - light.xyz;
+    vec3 v = light.w == 0.0 ? -light.xyz : b - light.xyz;
+    vec3 n = cross(u, v);
+    float size = length(n);
+    float scale = eye.w == 0.0 ? length(e) : max(length(e), max(distance(eye.xyz, a), distance(eye.xyz, b)));
+    if (abs(dot(n, e)) >= 1.52587890625e-5 * scale * size) return false;
+    if (size == 0.0) return true;
+    const float kMargin = 0.015625;
+    float alongU = dot(cross(e, v), n) / (size * size);  // e = alongU u + alongV v
+    float alongV = dot(cross(u, e), n) / (size * size);
+    if (eye.w == 0.0) {
+        return alongU * length(u) > -kMargin * scale && alongV * length(v) > -kMargin * scale;
+    }
+    if (light.w == 0.0) {
+        return alongU > -kMargin && alongU < 1.0 + kMargin && alongV > -kMargin * (length(u) + length(e));
+    }
+    return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0 - kMargin;
+}
+
+void append(uint list, uint l, uint entry, uint times) {
+    uint slot = atomicAdd(summaries[l].lists[list].count, 6u * times) / 6u;
+    for (uint i = 0u; i < times; ++i) {
+        if (slot + i < capacity) quads[(l * LIST_COUNT + list) * capacity + slot + i] = entry;
+    }
+}
+
+void main() {
+    uint chunk = gl_WorkGroupID.y * 65535u + gl_WorkGroupID.x;
+    if (chunk >= chunkCount) return;
+    uint instance = edgeChunks[chunk];
+    uint placed = chunk * CHUNK_SIZE + gl_LocalInvocationID.x;
+    uint index = placed - instances[instance].placedEdgeBase;
+    if (index >= instances[instance].edgeCount) return;
+    Edge edge = edges[instances[instance].edgeBase + index];
+
+    // Light-oriented traversals of the edge from a to b (x) and from b to a (y), per light.
+    uint base = facingBase + instances[instance].placedTriangleBase;
+    uvec2 left = facing[base + (edge.left & EDGE_TRIANGLE)];
+    if ((edge.left & EDGE_REVERSED) != 0u) left = left.yx;
+    uvec2 right = uvec2(0u);
+    if (edge.right != EDGE_NONE) {
+        right = facing[base + (edge.right & EDGE_TRIANGLE)];
+        if ((edge.right & EDGE_REVERSED) != 0u) right = right.yx;
+    }
+    uvec2 twice = left & right;
+    uvec2 once = (left ^ right) & ~(left | right).yx;
+    uint silhouette = twice.x | twice.y | once.x | once.y;
+    while (silhouette != 0u) {
+        uint l = uint(findLSB(silhouette));
+        silhouette &= silhouette - 1u;
+        uint list = listOf(instance, l, (edge.left & EDGE_EVEN) != 0u);
+        bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
+        bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
+        append(list, l, placed << 1u | uint(negative), isTwice && list != LIST_HALVED ? 2u : 1u);
+        if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
+        vec4 eye = instances[instance].eyeInModel;
+        if (list != LIST_FAIL || eye.w == 0.0) {
+            if (list == LIST_FAIL) eye = -eye;
+            uint vertexBase = instances[instance].vertexBase;
+            vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
+            if (hazardous(eye, lightInModel(instance, l), a, b)) {
+                atomicOr(casters[instance].hazards, 1u << l);
+            }
+        }
+    }
+}

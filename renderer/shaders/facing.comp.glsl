@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangle setup: which side of every triangle faces each of up to 32 lights, decided here and nowhere else, stored and
+// used for all edges, caps and shading (design.md section 2, rule 1); the triangle's plane in view space; and how many
+// layers lie between each light and the eye (the eye constant of z-pass, algorithms.md 1.7).
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "geometry.glsl"
+#include "casters.glsl"
+
+layout(local_size_x = CHUNK_SIZE) in;
+
+layout(std430, binding = BIND_TRIANGLE_FLAGS) readonly buffer TriangleFlags { uint triangleFlags[]; };
+layout(std430, binding = BIND_TRIANGLE_CHUNKS) readonly buffer TriangleChunks { uint triangleChunks[]; };
+// Per placed triangle and group of lights: bit l of x: the front faces light l; of y: the back does. Neither: edge-on.
+layout(std430, binding = BIND_FACING) writeonly buffer Facing { uvec2 facing[]; };
+layout(std430, binding = BIND_PLANES) writeonly buffer Planes { vec4 planes[]; };
+
+layout(location = 0) uniform uint chunkCount;
+layout(location = 1) uniform uint facingBase;  // first word of this group
+
+/// Rounded step by step as written, so that the host technique decides alike.
+vec3 faceNormal(vec3 a, vec3 b, vec3 c) {
+    precise vec3 u = b - a;
+    precise vec3 v = c - a;
+    precise vec3 n;
+    n.x = u.y * v.z - u.z * v.y;
+    n.y = u.z * v.x - u.x * v.z;
+    n.z = u.x * v.y - u.y * v.x;
+    return n;
+}
+
+/// Positive: the homogeneous point p is on the side the normal points to.
+float sideOf(vec3 n, vec3 a, vec4 p) {
+    precise vec3 d = p.xyz - p.w * a;
+    precise float side = n.x * d.x + n.y * d.y + n.z * d.z;
+    return side;
+}
+
+/// Whether the sign of det[d, a, b] is certain in float, and which: -1, +1, or 0 for uncertain. Inputs carry rounding
+/// of 2^-24 each; 1e-5 of the sum of magnitudes is far beyond what they can add up to.
+int certainSign(vec3 d, vec3 a, vec3 b) {
+    float magnitude = dot(abs(d), abs(a.yzx * b.zxy) + abs(a.zxy * b.yzx));
+    float det = dot(d, cross(a, b));
+    return abs(det) > 1e-5 * magnitude ? (det > 0.0 ? 1 : -1) : 0;
+}
+
+/// Sign of det[d, a, b] in double, as if the eye were moved by an infinitesimal (e, e^2, e^3) where it is zero, so that
+/// a ray through an edge or a vertex crosses exactly one of the triangles there. Exactly antisymmetric in a and b.
+/// `undecided` is set when rounding may have decided: such a caster is counted by z-fail (T4).
+int exactSign(dvec3 d, dvec3 a, dvec3 b, inout bool undecided) {
+    precise dvec3 n;
+    n.x = a.y * b.z - a.z * b.y;
+    n.y = a.z * b.x - a.x * b.z;
+    n.z = a.x * b.y - a.y * b.x;
+    precise double det = d.x * n.x + d.y * n.y + d.z * n.z;
+    double magnitude = dot(abs(d), abs(a.yzx * b.zxy) + abs(a.zxy * b.yzx));
+    if (det != 0.0lf) {
+        undecided = undecided || abs(det) < 1e-14lf * magnitude;
+        return det > 0.0lf ? 1 : -1;
+    }
+    if (n.x != 0.0lf) return n.x > 0.0lf ? 1 : -1;
+    if (n.y != 0.0lf) return n.y > 0.0lf ? 1 : -1;
+    return n.z > 0.0lf ? 1 : -1;
+}
+
+/// Whether the line from `origin` along `d` passes through the triangle.
+bool crosses(vec3 origin, vec3 d, vec3 a, vec3 b, vec3 c, inout bool undecided) {
+    int ab = certainSign(d, a - origin, b - origin);
+    int bc = certainSign(d, b - origin, c - origin);
+    int ca = certainSign(d, c - origin, a - origin);
+    if (max(ab, max(bc, ca)) - min(ab, min(bc, ca)) == 2) return false;
+    dvec3 o = dvec3(origin), dd = dvec3(d);
+    ab = exactSign(dd, dvec3(a) - o, dvec3(b) - o, undecided);
+    bc = exactSign(dd, dvec3(b) - o, dvec3(c) - o, undecided);
+    ca = exactSign(dd, dvec3(c) - o, dvec3(a) - o, undecided);
+    return ab == bc && bc == ca;
+}
+
+/// Adds the triangle to the eye constant of its list when it lies between light and eye. For an orthographic eye that
+/// is the infinite end of the view rays that the list's counting starts from: behind the viewer for z-pass, before it
+/// for z-fail (T5); a perspective z-fail ends in the dark cap and needs no constant.
+void countEye(uint instance, uint l, uint flags, vec3 a, vec3 b, vec3 c, vec3 n, vec4 light, float lightSide) {
+    uint list = listOf(instance, l, (flags & TRIANGLE_EVEN) != 0u);
+    vec4 eye = instances[instance].eyeInModel;
+    if (eye.w == 0.0) {
+        if (light.w == 0.0) return;  // two points at infinity: no finite triangle lies between them
+        if (list == LIST_FAIL) eye.xyz = -eye.xyz;
+    } else if (list == LIST_FAIL) {
+        return;
+    }
+    float eyeSide = sideOf(n, a, eye);
+    if (eyeSide == 0.0 || (eyeSide > 0.0) == (lightSide > 0.0)) return;
+    vec3 origin = eye.w == 0.0 ? light.xyz : eye.xyz;
+    vec3 d = eye.w == 0.0 ? eye.xyz : light.xyz - light.w * eye.xyz;
+    bool undecided = false;
+    if (crosses(origin, d, a, b, c, undecided)) atomicAdd(summaries[l].eyeInside[list], 1u);
+    if (undecided) atomicOr(casters[instance].hazards, 1u << l);
+}
+
+void main() {
+    uint chunk = gl_WorkGroupID.y * 65535u + gl_WorkGroupID.x;
+    if (chunk >= chunkCount) return;
+    uint instance = triangleChunks[chunk];
+    uint placed = chunk * CHUNK_SIZE + gl_LocalInvocationID.x;
+    uint triangle = placed - instances[instance].placedTriangleBase;
+    if (triangle >= instances[instance].triangleCount) {
+        facing[facingBase + placed] = uvec2(0u);
+        planes[placed] = vec4(0.0);
+        return;
+    }
+    uint flags = triangleFlags[instances[instance].triangleBase + triangle];
+    uvec3 v = triangleVertices(instance, triangle);
+    vec3 a = positionOf(v.x), b = positionOf(v.y), c = positionOf(v.z);
+
+    vec3 normal = faceNormal(a, b, c);
+    uvec2 bits = uvec2(0u);
+    for (uint l = 0u; l < lightCount; ++l) {
+        vec4 light = lightInModel(instance, l);
+        float side = sideOf(normal, a, light);
+        uint bit = 1u << l;
+        if (side > 0.0) {
+            bits.x |= bit;
+        } else if (side < 0.0 || (flags & TRIANGLE_EVEN) != 0u) {
+            // Any weight is legal (algorithms.md 0.1); in an even component an edge-on triangle gets one, so that
+            // every edge keeps an even multiplicity and its quads can be halved.
+            bits.y |= bit;
+        } else {
+            continue;
+        }
+        if ((flags & TRIANGLE_CASTS) == 0u) continue;
+        if (countLit != 0u && side > 0.0) atomicAdd(summaries[l].litTriangles, 1u);
+        countEye(instance, l, flags, a, b, c, normal, light, side);
+    }
+    facing[facingBase + placed] = bits;
+
+    vec3 n = vec3(dot(instances[instance].normalFromModel[0].xyz, normal),
+                  dot(instances[instance].normalFromModel[1].xyz, normal),
+                  dot(instances[instance].normalFromModel[2].xyz, normal));
+    n /= max(length(n), 1e-37);
+    planes[placed] = vec4(n, -dot(n, viewFromModel(instance, vec4(a, 1.0))));
+}

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Side quads of shadow volumes: an edge (u, v) and its projection from the light to infinity (w = 0). The diagonal
+// always runs from u to v's projection, so that coincident quads are cut alike (algorithms.md 1.13, R6).
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "geometry.glsl"
+#include "view.glsl"
+
+layout(std430, binding = BIND_EDGES) readonly buffer Edges { Edge edges[]; };
+layout(std430, binding = BIND_EDGE_CHUNKS) readonly buffer EdgeChunks { uint edgeChunks[]; };
+layout(std430, binding = BIND_QUADS) readonly buffer Quads { uint quads[]; };
+layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { vec4 lightsInModel[]; };
+
+layout(location = 0) uniform uint lightIndex;
+layout(location = 1) uniform uint totalLights;
+
+void main() {
+    uint entry = quads[uint(gl_VertexID) >> 2u];
+    uint placed = entry >> 1u;
+    uint instance = edgeChunks[placed >> CHUNK_SHIFT];
+    Edge edge = edges[instances[instance].edgeBase + placed - instances[instance].placedEdgeBase];
+    vec4 light = lightsInModel[instance * totalLights + lightIndex];
+    // m > 0: the light-oriented surface runs from a to b, so outward is (a, a', b', b); m < 0: (a, b, b', a').
+    bool reversed = ((entry ^ instances[instance].flags) & INSTANCE_MIRRORED) != 0u;
+    uint corner = uint(gl_VertexID) & 3u;
+    bool far = corner == 2u || corner == (reversed ? 3u : 1u);
+    bool second = corner == 2u || corner == (reversed ? 1u : 3u);
+    vec3 p = positionOf(instances[instance].vertexBase + (second ? edge.b : edge.a));
+    if (far) {
+        precise vec3 direction = p * light.w - light.xyz;
+        gl_Position = clipFromView(viewFromModel(instance, vec4(direction, 0.0)), 0.0);
+    } else {
+        gl_Position = clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0);
+    }
+}

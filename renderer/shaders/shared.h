@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// Included by C++ and by every shader: what both sides must agree about. Structures are laid out for std430.
+#ifndef UMBRAGE_SHARED_H
+#define UMBRAGE_SHARED_H
+
+#ifdef __cplusplus
+#include <glm/glm.hpp>
+namespace umbrage::gpu {
+using uint = unsigned int;
+using uvec2 = glm::uvec2;
+using uvec4 = glm::uvec4;
+using vec2 = glm::vec2;
+using vec3 = glm::vec3;
+using vec4 = glm::vec4;
+using mat4 = glm::mat4;
+#endif
+
+// Shader storage bindings, one name a buffer for the whole program. GL 4.5 guarantees only 8 per stage; llvmpipe and
+// NVIDIA have 16.
+#define BIND_POSITIONS 0
+#define BIND_INDICES 1
+#define BIND_TRIANGLE_FLAGS 2
+#define BIND_EDGES 3
+#define BIND_INSTANCES 4
+#define BIND_TRIANGLE_CHUNKS 5
+#define BIND_EDGE_CHUNKS 6
+#define BIND_LIGHTS_IN_MODEL 7
+#define BIND_FACING 8
+#define BIND_PLANES 9
+#define BIND_QUADS 10
+#define BIND_SUMMARY 11
+#define BIND_LIGHTS 12
+#define BIND_MATERIALS 13
+#define BIND_DRAWS 14
+#define BIND_CASTERS 15
+
+// The deform pass runs before all others and borrows their bindings.
+#define BIND_DEFORM_NORMALS 8
+#define BIND_DEFORM_TANGENTS 9
+#define BIND_DEFORM_INFLUENCES 10
+#define BIND_DEFORM_JOINTS 11
+#define BIND_DEFORM_MORPHS 12
+#define BIND_DEFORM_BOUNDS 13
+#define BIND_DEFORM_WEIGHTS 14
+
+// So does the bound on layers (T6).
+#define BIND_LAYER_CELLS 13
+#define BIND_LAYER_BOUNDS 14
+#define LAYER_GRID 32u  // cells along a face; a power of two
+#define LAYER_CELLS (6u * LAYER_GRID * LAYER_GRID)
+
+// Uniform block bindings.
+#define BIND_VIEW 0
+
+// Facing words are 32 bits, so lights are counted in groups of 32.
+#define LIGHTS_PER_GROUP 32
+// Triangles and edges of an instance are padded to whole chunks, so that id >> CHUNK_SHIFT finds the instance.
+#define CHUNK_SHIFT 7
+#define CHUNK_SIZE 128
+
+// TriangleFlags
+#define TRIANGLE_CASTS 1u
+#define TRIANGLE_EVEN 2u          // its connected component has only edges of even valence
+#define TRIANGLE_SINGLE_SIDED 4u  // not in the depth buffer when seen from behind
+#define TRIANGLE_HOLED 8u         // alpha-masked: its holes are not in the depth buffer
+
+// Edge::a and Edge::b: vertex, canonical order a < b. Edge::left and right: triangle | EDGE_REVERSED, or EDGE_NONE.
+#define EDGE_REVERSED 0x80000000u  // the triangle runs along the edge from b to a
+#define EDGE_EVEN 0x40000000u      // (in left) its component is even
+#define EDGE_TRIANGLE 0x3fffffffu
+#define EDGE_NONE 0xffffffffu
+
+// InstanceData::flags
+#define INSTANCE_MIRRORED 1u  // negative determinant: front faces run clockwise on screen
+#define INSTANCE_WHOLE 2u     // counted with all its surfaces, not halved (see shadow/volumes.h)
+
+// A placed triangle: InstanceData::placedTriangleBase + triangle of the mesh. Background and lines have none.
+#define NO_TRIANGLE 0xffffffffu
+
+struct InstanceData {
+    vec4 viewFromModel[3];   // rows
+    vec4 normalFromModel[3];  // rows: inverse transpose of the same; w unused
+    vec4 eyeInModel;          // (eye, 1), or for an orthographic eye (direction towards the viewer, 0)
+    uint vertexBase, triangleBase, triangleCount, placedTriangleBase;
+    uint edgeBase, edgeCount, placedEdgeBase, flags;
+};
+
+struct Edge {
+    uint a, b, left, right;
+};
+
+// The three lists of side quads a light has.
+#define LIST_HALVED 0  // even components: one quad for two crossings, counted by z-pass
+#define LIST_WHOLE 1   // all others, |m| quads an edge, counted by z-pass
+#define LIST_FAIL 2    // |m| quads an edge, counted by z-fail
+#define LIST_COUNT 3
+
+// Uniform location shared by programs that differ in their vertex shader.
+#define COUNT_FRONT_VALUE 15
+
+// Kinds of caps, see cap.vert.glsl.
+#define CAP_NEAR 0
+#define CAP_TRUE 1
+#define CAP_FAR 2
+#define CAP_DARK 3
+
+// A command of glDrawElementsIndirect.
+struct DrawCommand {
+    uint count, instanceCount, firstIndex, baseVertex, baseInstance;
+};
+
+// Per instance.
+struct CasterState {
+    uint countedByFail;  // bits of this group's lights: counted by z-fail
+    uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
+    uint exposed;        // some culled back face of it is nearer than what is seen there (T1)
+    uint unused;
+};
+
+// What the silhouette passes say about one light.
+struct LightSummary {
+    DrawCommand lists[LIST_COUNT];  // count: 6 for each quad, also beyond the capacity
+    uint eyeInside[LIST_COUNT];     // layers over the eye of the casters in each list
+    uint litTriangles;              // casting triangles whose front faces the light
+    uint silhouetteEdges;           // edge records with m != 0
+};
+
+struct LightData {
+    vec4 position;   // view space; w = 1: point or spot, 0: direction towards a directional light
+    vec4 direction;  // view space, the way a spot shines; w: 1 / range^2 or 0
+    vec4 color;      // candela or lux; w: 0 when the light is off
+    vec2 cone;       // spot: cosine scale and offset (KHR_lights_punctual); else (0, 1)
+    vec2 unused;
+};
+
+// The eye, for every pass of a frame.
+struct ViewData {
+    mat4 clipFromView;
+    vec4 rayScale;      // view ray of NDC (x, y): perspective (x*rs.x, y*rs.y, -1); orthographic offset (x*rs.x, y*rs.y)
+    vec4 upInView;      // world +Y
+    vec4 ambientSky, ambientGround, background;
+    float znear, zfar;  // zfar 0: infinite
+    uint perspective;
+    uint lightCount;
+};
+
+struct MaterialData {
+    vec4 baseColor;
+    vec4 emissive;       // w: alpha cutoff, negative: no alpha test
+    vec4 factors;        // metallic, roughness, normal scale, occlusion strength
+    vec4 uvRows[10];     // five textures, two rows each: (m00, m01, m02, texture coordinate set)
+    uint textures;       // bit per texture present: base colour, metallic-roughness, normal, occlusion, emissive
+    uint flags;
+    uint unused0, unused1;
+};
+#define MATERIAL_UNLIT 1u
+#define MATERIAL_DOUBLE_SIDED 2u
+#define TEXTURE_BASE_COLOR 0
+#define TEXTURE_METALLIC_ROUGHNESS 1
+#define TEXTURE_NORMAL 2
+#define TEXTURE_OCCLUSION 3
+#define TEXTURE_EMISSIVE 4
+#define TEXTURE_COUNT 5
+
+// What a draw of one primitive of one instance needs; found through gl_BaseInstance's attribute.
+struct DrawData {
+    uint instance, material;
+    uint firstPlacedTriangle;  // NO_TRIANGLE for lines and points
+    uint flags;
+};
+#define DRAW_HAS_NORMALS 1u
+#define DRAW_HAS_TANGENTS 2u
+#define DRAW_HAS_COLORS 4u
+
+#ifdef __cplusplus
+}  // namespace umbrage::gpu
+#endif
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Visible geometry: for the G-buffer, for blended surfaces and for the search for exposed back faces.
+#version 450 core
+#extension GL_GOOGLE_include_directive : require
+#include "geometry.glsl"
+#include "view.glsl"
+
+layout(std430, binding = BIND_DRAWS) readonly buffer Draws { DrawData draws[]; };
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 tangent;
+layout(location = 3) in vec2 texCoord0;
+layout(location = 4) in vec2 texCoord1;
+layout(location = 5) in vec4 color;
+layout(location = 6) in uint draw;  // advances with the base instance
+
+layout(location = 0) out vec3 viewPosition;
+layout(location = 1) out vec3 viewNormal;
+layout(location = 2) out vec4 viewTangent;
+layout(location = 3) out vec4 texCoords;
+layout(location = 4) out vec4 vertexColor;
+layout(location = 5) flat out uint drawIndex;
+
+out gl_PerVertex {
+    invariant vec4 gl_Position;
+    float gl_ClipDistance[1];
+    float gl_PointSize;
+};
+
+void main() {
+    uint instance = draws[draw].instance;
+    vec3 p = viewFromModel(instance, vec4(position, 1.0));
+    gl_Position = clipFromView(p, 1.0);
+    gl_ClipDistance[0] = view.zfar > 0.0 ? view.zfar + p.z : 1.0;  // T12: an infinite projection, cut at zfar
+    gl_PointSize = 1.0;
+    viewPosition = p;
+    viewNormal = vec3(dot(instances[instance].normalFromModel[0].xyz, normal),
+                      dot(instances[instance].normalFromModel[1].xyz, normal),
+                      dot(instances[instance].normalFromModel[2].xyz, normal));
+    viewTangent = vec4(viewFromModel(instance, vec4(tangent.xyz, 0.0)), tangent.w);
+    texCoords = vec4(texCoord0, texCoord1);
+    vertexColor = color;
+    drawIndex = draw;
+}

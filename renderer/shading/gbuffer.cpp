@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shading/gbuffer.h"
+
+#include <array>
+
+#include "gpu/state.h"
+
+namespace umbrage {
+
+GBuffer::GBuffer(int width, int height, int samples) {
+    const gpu::Texture::Size size{width, height, 0, samples};
+    triangle = gpu::Texture("G-buffer triangle", GL_R32UI, size);
+    baseColor = gpu::Texture("G-buffer base colour", GL_RGBA16, size);
+    normal = gpu::Texture("G-buffer normal", GL_RG16, size);
+    properties = gpu::Texture("G-buffer properties", GL_RGBA8, size);
+    emissive = gpu::Texture("G-buffer emissive", GL_RGBA16F, size);
+    depthStencil = gpu::Texture("depth and stencil", GL_DEPTH32F_STENCIL8, size);
+    const std::array<gpu::Framebuffer::Attachment, 5> colors{
+        {{&triangle}, {&baseColor}, {&normal}, {&properties}, {&emissive}}};
+    framebuffer = gpu::Framebuffer("G-buffer", colors, &depthStencil);
+    depthOnly = gpu::Framebuffer("depth", {}, &depthStencil);
+}
+
+void GBuffer::begin() const {
+    framebuffer.bind();
+    gpu::RasterState state;
+    state.depthWrite = true;
+    gpu::apply(state);
+    glStencilMask(0xff);
+    glClearBufferfi(GL_DEPTH_STENCIL, 0, 0.0f, 0);
+}
+
+void GBuffer::bindTextures() const {
+    const gpu::Texture* textures[] = {&triangle, &baseColor, &normal, &properties, &emissive, &depthStencil};
+    for (GLuint unit = 0; unit < std::size(textures); ++unit) textures[unit]->bind(unit);
+}
+
+}  // namespace umbrage

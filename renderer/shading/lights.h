@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lights of a moment for shading (view space) and for shadows (world space, homogeneous).
+#pragma once
+
+#include <vector>
+
+#include "gpu/objects.h"
+#include "scene/moment.h"
+#include "shaders/shared.h"
+#include "shadow/eye.h"
+#include "shadow/silhouette.h"
+
+namespace umbrage {
+
+/// Whether the light reaches anything: off lights are skipped, which cannot change a pixel.
+bool isOn(const Light& light);
+
+gpu::LightData lightData(const PlacedLight& placed, const Eye& eye);
+ShadowLight shadowLight(const PlacedLight& placed);
+
+/// Directional and exactly along the view of an orthographic eye (T5).
+bool parallelToView(const PlacedLight& placed, const Eye& eye);
+
+}  // namespace umbrage

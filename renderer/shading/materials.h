@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Materials on the device: factors in one buffer, textures decoded and uploaded, those that a drawn primitive uses.
+#pragma once
+
+#include <vector>
+
+#include "gpu/objects.h"
+#include "scene/scene.h"
+
+namespace umbrage {
+
+class Materials {
+public:
+    /// Decodes the textures on all cores. @throws Error(Input) for an image that cannot be decoded
+    explicit Materials(const Scene& scene);
+
+    /// The entry of a primitive's material; kNone has one too.
+    std::uint32_t entryOf(Index material) const;
+    const Material& material(std::uint32_t entry) const { return materials_[entry]; }
+
+    void bindBuffer() const;
+    void bindTextures(std::uint32_t entry) const;
+
+private:
+    std::vector<Material> materials_;  // the scene's, then glTF's default
+    std::vector<gpu::Texture> textures_;
+    std::vector<std::array<int, 5>> textureOf_;  // per entry: indices of textures_, -1: none
+    gpu::Buffer buffer_;
+    gpu::Texture white_;
+};
+
+}  // namespace umbrage

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shading/surfaces.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace umbrage {
+namespace {
+
+GLenum modeOf(Topology topology) {
+    switch (topology) {
+        case Topology::Lines: return GL_LINES;
+        case Topology::Points: return GL_POINTS;
+        default: return GL_TRIANGLES;
+    }
+}
+
+glm::dvec3 centerOf(const Mesh& mesh, const Primitive& primitive) {
+    glm::dvec3 low(1e300), high(-1e300);
+    for (std::uint32_t i = 0; i < primitive.indexCount; ++i) {
+        const glm::dvec3 p = mesh.positions[mesh.indices[primitive.firstIndex + i]];
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    return 0.5 * (low + high);
+}
+
+}  // namespace
+
+Surfaces::Surfaces(const Scene& scene, const Geometry& geometry)
+    : holed_(geometry.instanceCount()), vertexArray_("surfaces") {
+    std::vector<gpu::DrawData> data;
+    for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
+        const Mesh& mesh = scene.meshes[geometry.meshOf(i)];
+        for (const Primitive& primitive : mesh.primitives) {
+            if (primitive.indexCount == 0) continue;
+            const bool isTriangles = primitive.topology == Topology::Triangles;
+            Draw draw;
+            draw.id = std::uint32_t(data.size());
+            draw.instance = i;
+            draw.material = primitive.material == kNone ? std::uint32_t(scene.materials.size())
+                                                        : std::uint32_t(primitive.material);
+            draw.firstIndex = geometry.firstIndex(geometry.meshOf(i), primitive);
+            draw.indexCount = primitive.indexCount;
+            draw.mode = modeOf(primitive.topology);
+            gpu::DrawData entry{};
+            entry.instance = i;
+            entry.material = draw.material;
+            entry.firstPlacedTriangle =
+                isTriangles ? geometry.instances()[i].placedTriangleBase + primitive.firstIndex / 3 : NO_TRIANGLE;
+            if (primitive.hasNormals) entry.flags |= DRAW_HAS_NORMALS;
+            if (primitive.hasTangents) entry.flags |= DRAW_HAS_TANGENTS;
+            if (primitive.hasColors) entry.flags |= DRAW_HAS_COLORS;
+            data.push_back(entry);
+            const AlphaMode alpha = primitive.material == kNone ? AlphaMode::Opaque
+                                                                : scene.materials[primitive.material].alphaMode;
+            if (alpha == AlphaMode::Blend) {
+                draw.center = centerOf(mesh, primitive);
+                blended_.push_back(draw);
+            } else {
+                opaque_.push_back(draw);
+                if (alpha == AlphaMode::Mask && isTriangles) holed_[i] = true;
+            }
+        }
+    }
+    std::stable_sort(opaque_.begin(), opaque_.end(),
+                     [](const Draw& a, const Draw& b) { return a.material < b.material; });
+    std::vector<std::uint32_t> ids(data.size());
+    std::iota(ids.begin(), ids.end(), 0u);
+    drawBuffer_ = gpu::Buffer::of("draws", std::span<const gpu::DrawData>(data));
+    drawIds_ = gpu::Buffer::of("draw ids", std::span<const std::uint32_t>(ids));
+    vertexArray_ = geometry.makeVertexArray(drawIds_);
+}
+
+bool Surfaces::mirrored(const Draw& draw, const Geometry& geometry) const {
+    return geometry.instances()[draw.instance].flags & INSTANCE_MIRRORED;
+}
+
+void Surfaces::submit(const Draw& draw, const Geometry& geometry) const {
+    glDrawElementsInstancedBaseVertexBaseInstance(
+        draw.mode, GLsizei(draw.indexCount), GL_UNSIGNED_INT,
+        reinterpret_cast<const void*>(draw.firstIndex * sizeof(std::uint32_t)), 1,
+        GLint(geometry.instances()[draw.instance].vertexBase), draw.id);
+}
+
+void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, const Eye& eye) {
+    geometry.bind();
+    materials.bindBuffer();
+    drawBuffer_.bindStorage(BIND_DRAWS);
+    vertexArray_.bind();
+    gpu::RasterState state;
+    state.depth = gpu::Depth::Nearer;
+    state.depthWrite = true;
+    state.color = gpu::ColorOp::Replace;
+    state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
+    std::uint32_t bound = ~0u;
+    bool boundMirrored = false;
+    for (const Draw& draw : opaque_) {
+        const bool isMirrored = mirrored(draw, geometry);
+        if (draw.material != bound || isMirrored != boundMirrored) {
+            const Material& material = materials.material(draw.material);
+            if (draw.material != bound) materials.bindTextures(draw.material);
+            state.cull = material.doubleSided ? gpu::Cull::None : gpu::Cull::Back;
+            state.frontIsClockwise = isMirrored;
+            gpu::apply(state);
+            (material.alphaMode == AlphaMode::Mask ? maskedProgram_ : opaqueProgram_).use();
+            bound = draw.material;
+            boundMirrored = isMirrored;
+        }
+        submit(draw, geometry);
+    }
+}
+
+void Surfaces::findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters,
+                           const Eye& eye) {
+    geometry.bind();
+    drawBuffer_.bindStorage(BIND_DRAWS);
+    casters.bindStorage(BIND_CASTERS);
+    vertexArray_.bind();
+    exposureProgram_.use();
+    gpu::RasterState state;
+    state.depth = gpu::Depth::Nearer;
+    state.cull = gpu::Cull::Front;
+    state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
+    for (const bool clockwise : {false, true}) {
+        state.frontIsClockwise = clockwise;
+        gpu::apply(state);
+        for (const Draw& draw : opaque_) {
+            const bool culled = draw.mode == GL_TRIANGLES && !materials.material(draw.material).doubleSided;
+            if (culled && mirrored(draw, geometry) == clockwise) submit(draw, geometry);
+        }
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
+void Surfaces::drawBlended(const Geometry& geometry, const Materials& materials, const Eye& eye) {
+    std::vector<std::pair<double, const Draw*>> order;
+    for (const Draw& draw : blended_) {
+        const glm::dvec4 center = eye.viewFromWorld * geometry.worldFromModel(draw.instance) * glm::dvec4(draw.center, 1.0);
+        order.emplace_back(center.z, &draw);
+    }
+    std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    geometry.bind();
+    materials.bindBuffer();
+    drawBuffer_.bindStorage(BIND_DRAWS);
+    vertexArray_.bind();
+    blendedProgram_.use();
+    gpu::RasterState state;
+    state.depth = gpu::Depth::NearerOrEqual;
+    state.color = gpu::ColorOp::Over;
+    state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
+    for (const auto& [z, draw] : order) {
+        materials.bindTextures(draw->material);
+        state.frontIsClockwise = mirrored(*draw, geometry);
+        for (const gpu::Cull cull : {gpu::Cull::Front, gpu::Cull::Back}) {
+            if (cull == gpu::Cull::Front && !materials.material(draw->material).doubleSided) continue;
+            state.cull = draw->mode == GL_TRIANGLES ? cull : gpu::Cull::None;
+            gpu::apply(state);
+            submit(*draw, geometry);
+        }
+    }
+}
+
+}  // namespace umbrage

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The visible primitives: which draws there are, in which state, in which order.
+#pragma once
+
+#include <vector>
+
+#include "gpu/objects.h"
+#include "gpu/program.h"
+#include "gpu/state.h"
+#include "scene/moment.h"
+#include "shading/materials.h"
+#include "shadow/geometry.h"
+
+namespace umbrage {
+
+class Surfaces {
+public:
+    Surfaces(const Scene& scene, const Geometry& geometry);
+
+    /// Opaque and masked primitives into the G-buffer that is bound: the viewer sees front faces, and back faces of
+    /// double-sided materials (design.md section 2, rule 7).
+    void drawOpaque(const Geometry& geometry, const Materials& materials, const Eye& eye);
+
+    /// Marks casters with a culled back face nearer than what is seen (T1) in CasterState::exposed; the finished depth
+    /// buffer is bound.
+    void findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters, const Eye& eye);
+
+    bool anyBlended() const { return !blended_.empty(); }
+    /// Back to front by the middle of each primitive's bounds; of double-sided ones the back faces first.
+    void drawBlended(const Geometry& geometry, const Materials& materials, const Eye& eye);
+
+    /// Per instance: it has alpha-masked triangles.
+    const std::vector<bool>& holed() const { return holed_; }
+
+private:
+    struct Draw {
+        std::uint32_t id = 0;  // in the draw buffer
+        std::uint32_t instance = 0, material = 0;
+        std::uint32_t firstIndex = 0, indexCount = 0;
+        GLenum mode = GL_TRIANGLES;
+        glm::dvec3 center{0.0};  // of the primitive's bounds, in model space
+    };
+    void submit(const Draw& draw, const Geometry& geometry) const;
+    bool mirrored(const Draw& draw, const Geometry& geometry) const;
+
+    std::vector<Draw> opaque_;  // sorted by material
+    std::vector<Draw> blended_;
+    std::vector<bool> holed_;
+    gpu::Buffer drawBuffer_, drawIds_;
+    gpu::VertexArray vertexArray_;
+    gpu::Program opaqueProgram_{"surface.vert", "gbuffer.frag"};
+    gpu::Program maskedProgram_{"surface.vert", "gbuffer.frag", {"ALPHA_TEST 1"}};
+    gpu::Program exposureProgram_{"surface.vert", "exposure.frag"};
+    gpu::Program blendedProgram_{"surface.vert", "blended.frag"};
+};
+
+}  // namespace umbrage

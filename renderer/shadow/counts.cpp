@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shadow/counts.h"
+
+#include <algorithm>
+
+namespace umbrage {
+namespace {
+
+using Rule = VolumePart::Rule;
+using Kind = VolumePart::Kind;
+
+gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) {
+    using Into = VolumeRenderer::Into;
+    gpu::RasterState state;
+    state.depthClamp = true;  // every view ray starts at the eye itself (algorithms.md 1.4)
+    state.depth = part.rule == Rule::Always ? gpu::Depth::Always : gpu::Depth::Nearer;
+    switch (into) {
+        case Into::Stencil:
+            state.stencil.enabled = true;
+            if (part.rule == Rule::Fail) {
+                state.stencil.frontDepthFail = GL_DECR_WRAP;
+                state.stencil.backDepthFail = GL_INCR_WRAP;
+            } else {
+                state.stencil.frontPass = GL_INCR_WRAP;
+                state.stencil.backPass = GL_DECR_WRAP;
+            }
+            break;
+        case Into::Fragments:
+            state.depth = gpu::Depth::Off;
+            state.color = gpu::ColorOp::Add;
+            break;
+        case Into::Counter:
+        case Into::Updates:
+            if (part.rule == Rule::Fail) state.depth = gpu::Depth::NotNearer;
+            state.color = gpu::ColorOp::Add;
+            break;
+    }
+    return state;
+}
+
+/// Instances of the group's casters that a part is for; `wanted` says which by index.
+template <class Wanted>
+void addCap(CountPlan& plan, std::uint32_t cap, Rule rule, const Silhouettes& silhouettes, std::uint32_t l,
+            Wanted wanted) {
+    VolumePart part{Kind::Cap, rule, cap, {}};
+    for (std::uint32_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
+        const bool byFail = silhouettes.hostCasters[i].countedByFail >> l & 1u;
+        if (byFail == (rule == Rule::Fail) && wanted(i)) part.instances.push_back(i);
+    }
+    if (!part.instances.empty()) plan.parts.push_back(std::move(part));
+}
+
+void addSides(CountPlan& plan, std::uint32_t list, Rule rule, const gpu::LightSummary& summary) {
+    if (summary.lists[list].count > 0) plan.parts.push_back({Kind::Sides, rule, list, {}});
+}
+
+}  // namespace
+
+std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l,
+                                  std::uint32_t layerBound, const CountSettings& settings) {
+    const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
+    const auto eyeInside = [&](std::uint32_t list) { return settings.eyeConstant ? int(summary.eyeInside[list]) : 0; };
+    std::vector<CountPlan> plans;
+
+    CountPlan halved;
+    addSides(halved, LIST_HALVED, Rule::Pass, summary);
+    halved.litValue = -eyeInside(LIST_HALVED) / 2;
+    halved.wide = layerBound > 511;  // half of it is counted
+    halved.allDark = eyeInside(LIST_HALVED) % 2 != 0;
+    if (!halved.parts.empty() || eyeInside(LIST_HALVED) != 0) plans.push_back(std::move(halved));
+
+    const auto notInDepthBuffer = [&](std::uint32_t i) {
+        return settings.holed[i] || silhouettes.hostCasters[i].exposed != 0;
+    };
+    CountPlan whole;
+    addSides(whole, LIST_WHOLE, Rule::Pass, summary);
+    addCap(whole, CAP_NEAR, Rule::Always, silhouettes, l, [&](std::uint32_t i) { return settings.nearer[i]; });
+    addCap(whole, CAP_TRUE, Rule::Pass, silhouettes, l, notInDepthBuffer);
+    addSides(whole, LIST_FAIL, Rule::Fail, summary);
+    addCap(whole, CAP_TRUE, Rule::Fail, silhouettes, l, notInDepthBuffer);
+    addCap(whole, CAP_FAR, Rule::Fail, silhouettes, l, [](std::uint32_t) { return true; });
+    // All ends of a directional light's volumes meet in one point, and an orthographic eye sees no point at infinity.
+    const bool positional = silhouettes.hostLightsInModel[group.first + l].w != 0.0f;
+    if (settings.perspective && positional) {
+        addCap(whole, CAP_DARK, Rule::Fail, silhouettes, l, [](std::uint32_t) { return true; });
+    }
+    whole.wide = layerBound > 255;
+    whole.litValue = -(eyeInside(LIST_WHOLE) + eyeInside(LIST_FAIL));
+    if (!whole.parts.empty() || whole.litValue != 0) plans.push_back(std::move(whole));
+    return plans;
+}
+
+const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
+    if (into == Into::Stencil) return stencil;
+    return into == Into::Counter ? counter : tally;
+}
+
+VolumeRenderer::VolumeRenderer()
+    : sides_{gpu::Program("quad.vert"), gpu::Program("quad.vert", "count.frag", {"SIGNED 1"}),
+             gpu::Program("quad.vert", "count.frag")},
+      caps_{gpu::Program("cap.vert"), gpu::Program("cap.vert", "count.frag", {"SIGNED 1"}),
+            gpu::Program("cap.vert", "count.frag")} {}
+
+void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
+                          const LightGroup& group, std::uint32_t l) {
+    gpu::RasterState state = rasterState(part, into);
+    const gpu::Program& program = (part.kind == Kind::Sides ? sides_ : caps_).of(into);
+    program.uniform(0, group.first + l);
+    program.uniform(1, silhouettes.totalLights);
+    if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);
+    geometry.bind();
+    silhouettes.bind();
+    vertexArray_.bind();
+    program.use();
+    if (part.kind == Kind::Sides) {
+        gpu::apply(state);
+        drawSides(part, silhouettes, l);
+    } else {
+        drawCap(part, program, state, geometry, silhouettes, group, l);
+    }
+}
+
+void VolumeRenderer::drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l) {
+    const std::size_t indexCount = 6 * std::size_t(silhouettes.capacity);
+    if (pattern_.sizeBytes() < indexCount * sizeof(std::uint32_t)) {
+        std::vector<std::uint32_t> indices;
+        indices.reserve(indexCount);
+        for (std::uint32_t q = 0; q < silhouettes.capacity; ++q) {
+            for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(4 * q + corner);
+        }
+        pattern_ = gpu::Buffer::of("quad pattern", std::span<const std::uint32_t>(indices));
+        vertexArray_.elements(pattern_);
+        vertexArray_.bind();
+    }
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, silhouettes.summaries.name());
+    const std::size_t offset =
+        l * sizeof(gpu::LightSummary) + offsetof(gpu::LightSummary, lists) + part.what * sizeof(gpu::DrawCommand);
+    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+}
+
+void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state,
+                             const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group,
+                             std::uint32_t l) {
+    program.uniform(2, silhouettes.facingBase(group));
+    program.uniform(3, 1u << l);
+    program.uniform(4, part.what);
+    program.uniform(5, GLuint(part.rule == Rule::Fail));
+    state.clipDistances = 1;
+    // Neighbouring instances make one range: the vertex shader drops the padding between them.
+    std::vector<GLint> firsts;
+    std::vector<GLsizei> counts;
+    std::uint32_t last = 0;
+    for (const std::uint32_t i : part.instances) {
+        const gpu::InstanceData& instance = geometry.instances()[i];
+        if (firsts.empty() || i != last + 1) {
+            firsts.push_back(GLint(3 * instance.placedTriangleBase));
+            counts.push_back(0);
+        }
+        counts.back() = GLsizei(3 * (instance.placedTriangleBase + instance.triangleCount)) - firsts.back();
+        last = i;
+    }
+    const auto drawAll = [&] {
+        gpu::apply(state);
+        glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), GLsizei(firsts.size()));
+    };
+    if (part.what != CAP_TRUE) {
+        drawAll();
+        return;
+    }
+    state.depthClamp = false;  // clipped as the surface itself was, so that depths agree to the bit
+    for (const bool clockwise : {false, true}) {
+        program.uniform(6, GLuint(clockwise));
+        state.frontIsClockwise = clockwise;
+        drawAll();
+    }
+}
+
+}  // namespace umbrage

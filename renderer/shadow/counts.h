@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// From lists of side quads to counts: which parts of a light's volumes are drawn, by which rule, and what the count is
+// where nothing is in shadow.
+//
+// Counts are sums over casters (algorithms.md 0.1) and never negative, so a sample is lit exactly if the count of
+// every group of casters is zero there. Two groups are counted apart:
+//  - halved: components whose edges all have even valence, counted by z-pass without caps. Every crossing of their
+//    volumes' sides counts two, so one quad is drawn for two, and the count is compared with half the eye constant; an
+//    odd eye constant can never be undone by sides, so then everything is dark. Half the fill of two-sided weights,
+//    valid for any winding and any position of the light, where one-sided weights need a proof (T3).
+//  - whole: all other casters, and those that need caps or z-fail (T1, T4), with full multiplicities.
+#pragma once
+
+#include <vector>
+
+#include "gpu/objects.h"
+#include "gpu/program.h"
+#include "gpu/state.h"
+#include "shadow/silhouette.h"
+
+namespace umbrage {
+
+/// A part of a light's volumes that is drawn with one rule.
+struct VolumePart {
+    enum class Kind { Sides, Cap };
+    enum class Rule {
+        Pass,    // +1 front, -1 back where nearer than what is seen
+        Fail,    // -1 front, +1 back where not nearer
+        Always,  // as Pass, everywhere
+    };
+    Kind kind = Kind::Sides;
+    Rule rule = Rule::Pass;
+    std::uint32_t what = LIST_HALVED;      // LIST_... or CAP_...
+    std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
+};
+
+/// What one count needs: its parts, and what the counter holds where nothing is in shadow.
+struct CountPlan {
+    std::vector<VolumePart> parts;
+    int litValue = 0;
+    bool allDark = false;  // the eye constant alone decides
+    bool wide = false;     // counts may exceed what 8 bits hold (T6)
+};
+
+/// What plans depend on beside the silhouettes.
+struct CountSettings {
+    bool eyeConstant = true;   // off: textbook z-pass, wrong with the eye in a volume
+    bool perspective = true;
+    std::vector<bool> nearer;  // per instance: may reach in front of the near plane
+    std::vector<bool> holed;   // per instance: has alpha-masked triangles
+};
+
+/// The halved and the whole count of light `l` of the group, as far as there is something to count.
+/// @param layerBound  no more layers than these lie between the light and any point
+std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l,
+                                  std::uint32_t layerBound, const CountSettings& settings);
+
+/// Draws parts of volumes into whatever framebuffer is bound.
+class VolumeRenderer {
+public:
+    VolumeRenderer();
+
+    enum class Into {
+        Stencil,    // crossings, signed, into the stencil buffer (modulo 256)
+        Counter,    // the same into a float colour buffer by additive blending (T6)
+        Fragments,  // a tally of all fragments, no depth test
+        Updates,    // a tally of the fragments that change the count
+    };
+    void draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
+              const LightGroup& group, std::uint32_t l);
+
+private:
+    struct Programs {
+        gpu::Program stencil, counter, tally;
+        const gpu::Program& of(Into into) const;
+    };
+    void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);
+    void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
+                 const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+
+    Programs sides_, caps_;
+    gpu::VertexArray vertexArray_{"volumes"};
+    gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
+};
+
+}  // namespace umbrage

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shadow/geometry.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace umbrage {
+namespace {
+
+constexpr std::uint32_t kBoundsWords = 6;  // per deforming instance: min xyz, max xyz, as ordered integers
+constexpr std::uint32_t kMorphFloats = 9;  // per vertex and target: position, normal, tangent
+
+std::uint32_t roundUpToChunks(std::uint32_t count) { return (count + CHUNK_SIZE - 1) / CHUNK_SIZE; }
+
+float fromOrdered(std::uint32_t u) { return std::bit_cast<float>(u & 0x80000000u ? u & 0x7fffffffu : ~u); }
+
+gpu::Edge deviceEdge(const MeshEdge& edge, bool even) {
+    gpu::Edge e{edge.a, edge.b, edge.left, edge.right};
+    if (edge.leftReversed) e.left |= EDGE_REVERSED;
+    if (even) e.left |= EDGE_EVEN;
+    if (edge.right != MeshEdge::kNoTriangle && edge.rightReversed) e.right |= EDGE_REVERSED;
+    return e;
+}
+
+/// Rows of the upper 3x4, rounded once.
+void storeRows(const glm::dmat4& m, gpu::vec4 (&rows)[3]) {
+    for (int r = 0; r < 3; ++r) rows[r] = gpu::vec4(m[0][r], m[1][r], m[2][r], m[3][r]);
+}
+
+/// The matrix that takes normals along, pointing to the same side of the surface also when `m` mirrors; scaled to keep
+/// floats in range. Made of cofactors, so that a flattening transform has one too.
+glm::dmat3 normalMatrix(const glm::dmat3& m) {
+    glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    if (glm::determinant(m) < 0.0) cofactors = -cofactors;
+    double largest = 0.0;
+    for (int c = 0; c < 3; ++c) largest = std::max(largest, glm::length(cofactors[c]));
+    return largest > 0.0 ? cofactors / largest : cofactors;
+}
+
+bool nearIn(const glm::dmat4& viewFromModel, const glm::dvec3& low, const glm::dvec3& high, double znear) {
+    // The row that gives -distance along the view axis; its maximum over the box decides.
+    double nearest = viewFromModel[3][2];
+    for (int i = 0; i < 3; ++i) nearest += std::max(viewFromModel[i][2] * low[i], viewFromModel[i][2] * high[i]);
+    return -nearest <= znear * (1.0 + 1e-6);
+}
+
+}  // namespace
+
+Geometry::Geometry(const Scene& scene, const Moment& first) : deformProgram_("deform.comp") {
+    topologies_.reserve(scene.meshes.size());
+    for (const Mesh& mesh : scene.meshes) {
+        MeshTopology topology = buildTopology(mesh, scene.materials);
+        MeshRange range;
+        range.firstVertex = vertexCount_;
+        range.firstTriangle = std::uint32_t(triangleFlags_.size());
+        range.triangleCount = mesh.triangleCount();
+        range.firstEdge = std::uint32_t(edges_.size());
+        range.edgeCount = std::uint32_t(topology.edges.size());
+        vertexCount_ += std::uint32_t(mesh.positions.size());
+        range.boundsMin = glm::vec3(std::numeric_limits<float>::max());
+        range.boundsMax = -range.boundsMin;
+        for (const glm::vec3& p : mesh.positions) {
+            range.boundsMin = glm::min(range.boundsMin, p);
+            range.boundsMax = glm::max(range.boundsMax, p);
+        }
+        for (const Primitive& primitive : mesh.primitives) {
+            if (primitive.topology != Topology::Triangles) continue;
+            const Material material = primitive.material == kNone ? Material{} : scene.materials[primitive.material];
+            std::uint32_t flags = 0;
+            if (!material.doubleSided) flags |= TRIANGLE_SINGLE_SIDED;
+            if (material.alphaMode == AlphaMode::Mask) flags |= TRIANGLE_HOLED;
+            for (std::uint32_t t = primitive.firstIndex / 3; t < (primitive.firstIndex + primitive.indexCount) / 3; ++t) {
+                triangleFlags_.push_back(flags | (topology.casts[t] ? TRIANGLE_CASTS : 0u) |
+                                         (topology.even[t] ? TRIANGLE_EVEN : 0u));
+            }
+        }
+        indices_.insert(indices_.end(), mesh.indices.begin(), mesh.indices.begin() + 3 * range.triangleCount);
+        for (const MeshEdge& edge : topology.edges) edges_.push_back(deviceEdge(edge, topology.even[edge.left]));
+        ranges_.push_back(range);
+        topologies_.push_back(std::move(topology));
+    }
+
+    for (std::size_t m = 0; m < ranges_.size(); ++m) {
+        const std::vector<std::uint32_t>& all = scene.meshes[m].indices;
+        const std::uint32_t triangleIndices = 3 * ranges_[m].triangleCount;
+        // Modulo 2^32: a primitive's firstIndex counts from the mesh's first triangle.
+        ranges_[m].firstOtherIndex = std::uint32_t(indices_.size()) - triangleIndices;
+        indices_.insert(indices_.end(), all.begin() + triangleIndices, all.end());
+    }
+
+    for (const Instance& placed : first.instances) {
+        const auto i = std::uint32_t(instances_.size());
+        const MeshRange& range = ranges_[placed.mesh];
+        const Mesh& mesh = scene.meshes[placed.mesh];
+        gpu::InstanceData instance{};
+        instance.vertexBase = range.firstVertex;
+        instance.triangleBase = range.firstTriangle;
+        instance.triangleCount = range.triangleCount;
+        instance.placedTriangleBase = triangleChunkCount_ * CHUNK_SIZE;
+        instance.edgeBase = range.firstEdge;
+        instance.edgeCount = range.edgeCount;
+        instance.placedEdgeBase = edgeChunkCount_ * CHUNK_SIZE;
+        triangleChunkCount_ += roundUpToChunks(range.triangleCount);
+        edgeChunkCount_ += roundUpToChunks(range.edgeCount);
+        triangleChunks_.resize(triangleChunkCount_, i);
+        edgeChunks_.resize(edgeChunkCount_, i);
+        const bool baked = placed.skinned() || !invertible(placed.worldFromModel);
+        if (baked || !mesh.morphTargets.empty() || placed.displacement != kNone) {
+            Deforming own;
+            own.instance = i;
+            own.firstVertex = instance.vertexBase = vertexCount_;
+            own.vertexCount = std::uint32_t(mesh.positions.size());
+            own.jointCount = baked ? std::max<std::uint32_t>(1, std::uint32_t(placed.worldFromBindPose.size())) : 0;
+            own.influenceSets = placed.skinned() ? std::uint32_t(mesh.influenceSets()) : 0;
+            own.morphCount = std::uint32_t(mesh.morphTargets.size());
+            own.relativeToOrigin = baked;
+            vertexCount_ += own.vertexCount;
+            deforming_.push_back(own);
+        }
+        instances_.push_back(instance);
+        instanceMesh_.push_back(std::uint32_t(placed.mesh));
+    }
+    worldFromModel_.resize(instances_.size());
+    uploadVertices(scene);
+}
+
+bool Geometry::invertible(const glm::dmat4& m) const {
+    const glm::dmat3 a(m);
+    const double volume = std::abs(glm::determinant(a));
+    const double size = glm::length(a[0]) * glm::length(a[1]) * glm::length(a[2]);
+    return size > 0.0 && volume > 1e-9 * size;
+}
+
+void Geometry::uploadVertices(const Scene& scene) {
+    std::vector<glm::vec3> positions(vertexCount_), normals(vertexCount_, glm::vec3(0.0f, 0.0f, 1.0f));
+    std::vector<glm::vec4> tangents, colors;
+    std::vector<glm::vec2> texCoords[kTexCoordSetCount];
+    std::vector<std::uint32_t> influences;
+    std::vector<float> morphs;
+    std::vector<std::uint32_t> firstMorph(scene.meshes.size()), firstInfluence(scene.meshes.size());
+
+    const auto place = [&](const Mesh& mesh, std::uint32_t firstVertex) {
+        const auto copy = [&](const auto& from, auto& to) {
+            if (from.empty()) return;
+            to.resize(vertexCount_);
+            std::copy(from.begin(), from.end(), to.begin() + firstVertex);
+        };
+        copy(mesh.positions, positions);
+        copy(mesh.normals, normals);
+        copy(mesh.tangents, tangents);
+        copy(mesh.colors, colors);
+        for (int s = 0; s < kTexCoordSetCount; ++s) copy(mesh.texCoords[s], texCoords[s]);
+    };
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        const Mesh& mesh = scene.meshes[m];
+        place(mesh, ranges_[m].firstVertex);
+        firstInfluence[m] = std::uint32_t(influences.size() / 6);
+        for (std::size_t i = 0; i < mesh.joints.size(); ++i) {
+            std::uint32_t words[6];
+            std::memcpy(words, &mesh.joints[i], 8);
+            std::memcpy(words + 2, &mesh.weights[i], 16);
+            influences.insert(influences.end(), words, words + 6);
+        }
+        firstMorph[m] = std::uint32_t(morphs.size() / kMorphFloats);
+        for (const MorphTarget& target : mesh.morphTargets) {
+            const auto at = [](const std::vector<glm::vec3>& values, std::size_t v) {
+                return values.empty() ? glm::vec3(0.0f) : values[v];
+            };
+            for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+                for (const glm::vec3& d : {at(target.positions, v), at(target.normals, v), at(target.tangents, v)}) {
+                    morphs.insert(morphs.end(), {d.x, d.y, d.z});
+                }
+            }
+        }
+    }
+    std::uint32_t jointCount = 0, weightCount = 0;
+    for (Deforming& own : deforming_) {
+        const std::uint32_t mesh = instanceMesh_[own.instance];
+        place(scene.meshes[mesh], own.firstVertex);
+        own.firstInfluence = firstInfluence[mesh];
+        own.firstMorph = firstMorph[mesh];
+        own.firstJoint = jointCount;
+        jointCount += own.jointCount;
+        weightCount += own.morphCount;
+    }
+
+    using gpu::Buffer;
+    positions_ = Buffer::of("positions", std::span<const glm::vec3>(positions));
+    normals_ = Buffer::of("normals", std::span<const glm::vec3>(normals));
+    tangents_ = Buffer::of("tangents", std::span<const glm::vec4>(tangents));
+    colors_ = Buffer::of("colours", std::span<const glm::vec4>(colors));
+    influences_ = Buffer::of("joint influences", std::span<const std::uint32_t>(influences));
+    morphs_ = Buffer::of("morph targets", std::span<const float>(morphs));
+    jointMatrices_ = Buffer("joint matrices", jointCount * 3 * sizeof(gpu::vec4));
+    morphWeights_ = Buffer("morph weights", weightCount * sizeof(float));
+    bounds_ = Buffer("deformed bounds", deforming_.size() * kBoundsWords * sizeof(std::uint32_t));
+    indexBuffer_ = Buffer::of("indices", std::span<const std::uint32_t>(indices_));
+    flagBuffer_ = Buffer::of("triangle flags", std::span<const std::uint32_t>(triangleFlags_));
+    edgeBuffer_ = Buffer::of("edges", std::span<const gpu::Edge>(edges_));
+    triangleChunkBuffer_ = Buffer::of("triangle chunks", std::span<const std::uint32_t>(triangleChunks_));
+    edgeChunkBuffer_ = Buffer::of("edge chunks", std::span<const std::uint32_t>(edgeChunks_));
+    instanceBuffer_ = Buffer("instances", instances_.size() * sizeof(gpu::InstanceData));
+
+    for (int s = 0; s < kTexCoordSetCount; ++s) {
+        texCoords_[s] = Buffer::of("texture coordinates", std::span<const glm::vec2>(texCoords[s]));
+    }
+}
+
+gpu::VertexArray Geometry::makeVertexArray(const gpu::Buffer& drawIds) const {
+    gpu::VertexArray array("surfaces");
+    array.elements(indexBuffer_);
+    array.attribute(0, positions_, 3, sizeof(glm::vec3));
+    array.attribute(1, normals_, 3, sizeof(glm::vec3));
+    if (tangents_.sizeBytes()) array.attribute(2, tangents_, 4, sizeof(glm::vec4));
+    for (int s = 0; s < kTexCoordSetCount; ++s) {
+        if (texCoords_[s].sizeBytes()) array.attribute(GLuint(3 + s), texCoords_[s], 2, sizeof(glm::vec2));
+    }
+    if (colors_.sizeBytes()) array.attribute(5, colors_, 4, sizeof(glm::vec4));
+    array.integerAttribute(6, drawIds, sizeof(std::uint32_t), true);
+    return array;
+}
+
+std::uint32_t Geometry::firstIndex(std::uint32_t mesh, const Primitive& primitive) const {
+    const MeshRange& range = ranges_[mesh];
+    return primitive.topology == Topology::Triangles ? 3 * range.firstTriangle + primitive.firstIndex
+                                                     : range.firstOtherIndex + primitive.firstIndex;
+}
+
+void Geometry::update(const Scene& scene, const Moment& moment, const Eye& eye) {
+    deform(scene, moment, eye);
+    for (std::size_t i = 0; i < instances_.size(); ++i) worldFromModel_[i] = moment.instances[i].worldFromModel;
+    for (const Deforming& own : deforming_) {
+        if (own.relativeToOrigin) worldFromModel_[own.instance] = glm::translate(glm::dmat4(1.0), origin_);
+    }
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        gpu::InstanceData& instance = instances_[i];
+        const glm::dmat4 viewFromModel = eye.viewFromWorld * worldFromModel_[i];
+        storeRows(viewFromModel, instance.viewFromModel);
+        storeRows(glm::dmat4(normalMatrix(glm::dmat3(viewFromModel))), instance.normalFromModel);
+        instance.eyeInModel = gpu::vec4(glm::inverse(worldFromModel_[i]) * eye.point());
+        const bool mirrored = glm::determinant(glm::dmat3(viewFromModel)) < 0.0;
+        instance.flags = mirrored ? INSTANCE_MIRRORED : 0u;
+    }
+    instanceBuffer_.write(std::span<const gpu::InstanceData>(instances_));
+}
+
+void Geometry::deform(const Scene& scene, const Moment& moment, const Eye& eye) {
+    if (deforming_.empty()) return;
+    // T7: snapped to a grid as coarse as the eye is far from the world's origin is fine; 64 m keeps walks in a cell.
+    const glm::dvec3 cell = glm::floor(eye.position() / 64.0 + 0.5) * 64.0;
+    if (!originKnown_ || glm::any(glm::greaterThan(glm::abs(eye.position() - origin_), glm::dvec3(48.0)))) {
+        origin_ = cell;
+        originKnown_ = true;
+    }
+    const glm::dmat4 originFromWorld = glm::translate(glm::dmat4(1.0), -origin_);
+    std::vector<gpu::vec4> joints;
+    std::vector<float> weights;
+    for (const Deforming& own : deforming_) {
+        const Instance& placed = moment.instances[own.instance];
+        weights.insert(weights.end(), placed.morphWeights.begin(), placed.morphWeights.end());
+        if (!own.relativeToOrigin) continue;
+        for (std::uint32_t j = 0; j < own.jointCount; ++j) {
+            gpu::vec4 rows[3];
+            storeRows(originFromWorld * (placed.skinned() ? placed.worldFromBindPose[j] : placed.worldFromModel), rows);
+            joints.insert(joints.end(), rows, rows + 3);
+        }
+    }
+    jointMatrices_.write(std::span<const gpu::vec4>(joints));
+    morphWeights_.write(std::span<const float>(weights));
+    std::vector<std::uint32_t> noBounds;
+    for (std::size_t i = 0; i < deforming_.size(); ++i) {
+        noBounds.insert(noBounds.end(), {~0u, ~0u, ~0u, 0u, 0u, 0u});
+    }
+    bounds_.write(std::span<const std::uint32_t>(noBounds));
+
+    positions_.bindStorage(BIND_POSITIONS);
+    normals_.bindStorage(BIND_DEFORM_NORMALS);
+    tangents_.bindStorage(BIND_DEFORM_TANGENTS);
+    influences_.bindStorage(BIND_DEFORM_INFLUENCES);
+    jointMatrices_.bindStorage(BIND_DEFORM_JOINTS);
+    morphs_.bindStorage(BIND_DEFORM_MORPHS);
+    bounds_.bindStorage(BIND_DEFORM_BOUNDS);
+    morphWeights_.bindStorage(BIND_DEFORM_WEIGHTS);
+    GLuint firstWeight = 0;
+    for (std::size_t i = 0; i < deforming_.size(); ++i) {
+        const Deforming& own = deforming_[i];
+        const Instance& placed = moment.instances[own.instance];
+        const std::uint32_t restVertex = ranges_[instanceMesh_[own.instance]].firstVertex;
+        const GLuint values[] = {restVertex,         own.firstVertex,     own.vertexCount,
+                                 own.firstJoint,     own.jointCount,      own.firstInfluence,
+                                 own.influenceSets,  own.firstMorph,      own.morphCount,
+                                 GLuint(i),          tangents_.sizeBytes() > 0 ? 1u : 0u};
+        for (std::size_t k = 0; k < std::size(values); ++k) deformProgram_.uniform(GLint(k), values[k]);
+        const Displacement* noise = placed.displacement == kNone ? nullptr : &scene.displacements[placed.displacement];
+        deformProgram_.uniform(11, noise ? noise->amplitude : 0.0f);
+        deformProgram_.uniform(12, noise ? noise->frequency : 0.0f);
+        deformProgram_.uniform(13, noise ? float(noise->speed * moment.timeSeconds) : 0.0f);
+        deformProgram_.uniform(14, firstWeight);
+        firstWeight += own.morphCount;
+        deformProgram_.dispatchGroups(roundUpToChunks(own.vertexCount));
+    }
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
+}
+
+void Geometry::setWhole(const std::vector<bool>& whole) {
+    bool changed = false;
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        const std::uint32_t flags = (instances_[i].flags & ~INSTANCE_WHOLE) | (whole[i] ? INSTANCE_WHOLE : 0u);
+        changed = changed || flags != instances_[i].flags;
+        instances_[i].flags = flags;
+    }
+    if (changed) instanceBuffer_.write(std::span<const gpu::InstanceData>(instances_));
+}
+
+void Geometry::bind() const {
+    positions_.bindStorage(BIND_POSITIONS);
+    indexBuffer_.bindStorage(BIND_INDICES);
+    flagBuffer_.bindStorage(BIND_TRIANGLE_FLAGS);
+    edgeBuffer_.bindStorage(BIND_EDGES);
+    instanceBuffer_.bindStorage(BIND_INSTANCES);
+    triangleChunkBuffer_.bindStorage(BIND_TRIANGLE_CHUNKS);
+    edgeChunkBuffer_.bindStorage(BIND_EDGE_CHUNKS);
+}
+
+std::vector<bool> Geometry::nearerThanNearPlane(const Eye& eye) const {
+    std::vector<glm::vec3> low(instances_.size()), high(instances_.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        low[i] = ranges_[instanceMesh_[i]].boundsMin;
+        high[i] = ranges_[instanceMesh_[i]].boundsMax;
+    }
+    if (!deforming_.empty()) {
+        const std::vector<std::uint32_t> words = bounds_.readAll<std::uint32_t>();
+        for (std::size_t d = 0; d < deforming_.size(); ++d) {
+            for (int k = 0; k < 3; ++k) {
+                low[deforming_[d].instance][k] = fromOrdered(words[kBoundsWords * d + std::size_t(k)]);
+                high[deforming_[d].instance][k] = fromOrdered(words[kBoundsWords * d + 3 + std::size_t(k)]);
+            }
+        }
+    }
+    std::vector<bool> nearer(instances_.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        nearer[i] = nearIn(eye.viewFromWorld * worldFromModel_[i], low[i], high[i], eye.znear);
+    }
+    return nearer;
+}
+
+double Geometry::radiusMetres() const {
+    glm::dvec3 low(1e300), high(-1e300);
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        const MeshRange& range = ranges_[instanceMesh_[i]];
+        for (const glm::dvec3 corner : {glm::dvec3(range.boundsMin), glm::dvec3(range.boundsMax)}) {
+            const glm::dvec3 p(worldFromModel_[i] * glm::dvec4(corner, 1.0));
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+    }
+    return instances_.empty() ? 0.0 : 0.5 * glm::length(high - low);
+}
+
+std::vector<float> Geometry::readPositions() const { return positions_.readAll<float>(); }
+
+}  // namespace umbrage

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shadow/masks.h"
+
+#include <algorithm>
+
+namespace umbrage {
+
+Masks::Masks(const gpu::Texture& depthStencil, std::uint32_t lightCount) : depthStencil_(depthStencil) {
+    gpu::Texture::Size size = depthStencil.size();
+    size.layers = int(std::max(1u, (lightCount + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP));
+    texture_ = gpu::Texture("shadow masks", GL_R32UI, size);
+    for (int layer = 0; layer < size.layers; ++layer) {
+        const gpu::Framebuffer::Attachment color{&texture_, layer};
+        framebuffers_.emplace_back("shadow mask", std::span(&color, 1), &depthStencil);
+    }
+    stencilOnly_ = gpu::Framebuffer("shadow counts", {}, &depthStencil);
+    if (size.samples > 1) {
+        oneSample_ = gpu::Texture("one sample of counts", GL_DEPTH32F_STENCIL8, {size.width, size.height});
+        oneSampleTarget_ = gpu::Framebuffer("one sample of counts", {}, &oneSample_);
+    }
+}
+
+void Masks::clear() {
+    gpu::RasterState state;
+    state.color = gpu::ColorOp::Replace;
+    gpu::apply(state);
+    const GLuint zero[4] = {0, 0, 0, 0};
+    for (const gpu::Framebuffer& framebuffer : framebuffers_) {
+        framebuffer.bind();
+        glClearBufferuiv(GL_COLOR, 0, zero);
+    }
+}
+
+void Masks::count(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
+                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    for (const CountPlan& plan : plans) {
+        if (plan.wide && !plan.allDark) {
+            countByBlending(plan, renderer, geometry, silhouettes, group, l);
+        } else {
+            countByStencil(plan, renderer, geometry, silhouettes, group, l);
+        }
+    }
+}
+
+void Masks::countByStencil(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
+                           const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    if (!plan.allDark) {
+        stencilOnly_.bind();
+        glStencilMask(0xff);
+        const GLint zero = 0;
+        glClearBufferiv(GL_STENCIL, 0, &zero);
+        for (const VolumePart& part : plan.parts) {
+            renderer.draw(part, VolumeRenderer::Into::Stencil, geometry, silhouettes, group, l);
+        }
+    }
+    gpu::Stencil stencil;
+    stencil.enabled = !plan.allDark;
+    stencil.function = GL_NOTEQUAL;
+    stencil.reference = plan.litValue & 0xff;
+    mark(markProgram_, stencil, group, l);
+}
+
+void Masks::countByBlending(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
+                            const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    if (!wideCounts_.name()) {
+        const gpu::Texture::Size size = depthStencil_.size();
+        wideCounts_ = gpu::Texture("wide counts", GL_R32F, size);
+        const gpu::Framebuffer::Attachment color{&wideCounts_};
+        wideTarget_ = gpu::Framebuffer("wide counts", std::span(&color, 1), &depthStencil_);
+        markWideProgram_ = gpu::Program("fullscreen.vert", "mask.frag", {"COUNTS " + std::to_string(size.samples)});
+    }
+    wideTarget_.bind();
+    gpu::RasterState state;
+    state.color = gpu::ColorOp::Replace;
+    gpu::apply(state);
+    const float zero[4] = {};
+    glClearBufferfv(GL_COLOR, 0, zero);
+    for (const VolumePart& part : plan.parts) {
+        renderer.draw(part, VolumeRenderer::Into::Counter, geometry, silhouettes, group, l);
+    }
+    wideCounts_.bind(0);
+    markWideProgram_.uniform(1, float(plan.litValue));
+    mark(markWideProgram_, {}, group, l);
+}
+
+void Masks::mark(const gpu::Program& program, const gpu::Stencil& stencil, const LightGroup& group, std::uint32_t l) {
+    framebuffers_[group.first / LIGHTS_PER_GROUP].bind();
+    gpu::RasterState state;
+    state.color = gpu::ColorOp::OrBits;
+    state.stencil = stencil;
+    gpu::apply(state);
+    program.uniform(0, 1u << l);
+    program.use();
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+std::vector<std::uint32_t> Masks::readCounts(const CountPlan& plan) const {
+    const int width = texture_.size().width, height = texture_.size().height;
+    const bool wide = plan.wide && !plan.allDark;
+    const gpu::Framebuffer* source = wide ? &wideTarget_ : &stencilOnly_;
+    if (oneSample_.name()) {
+        glBlitNamedFramebuffer(source->name(), oneSampleTarget_.name(), 0, 0, width, height, 0, 0, width, height,
+                               GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+        source = &oneSampleTarget_;
+    }
+    const std::size_t pixelCount = std::size_t(width) * std::size_t(height);
+    std::vector<std::uint32_t> counts(pixelCount);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source->name());
+    if (wide) {
+        std::vector<float> values(pixelCount);
+        glReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, values.data());
+        for (std::size_t i = 0; i < pixelCount; ++i) counts[i] = std::uint32_t(int(values[i]) - plan.litValue);
+    } else {
+        std::vector<std::uint8_t> values(pixelCount);
+        glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
+        for (std::size_t i = 0; i < pixelCount; ++i) counts[i] = std::uint8_t(values[i] - plan.litValue);
+    }
+    return counts;
+}
+
+}  // namespace umbrage

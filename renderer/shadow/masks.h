@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// One bit per light and sample: 1 where the light's shadow falls. All lights share one depth-stencil buffer (T8).
+#pragma once
+
+#include "gpu/objects.h"
+#include "shadow/counts.h"
+
+namespace umbrage {
+
+class Masks {
+public:
+    /// @param depthStencil  D32F_S8, holds the depth of what is seen
+    Masks(const gpu::Texture& depthStencil, std::uint32_t lightCount);
+
+    /// Counts light `l` of the group by its plans and sets its bits.
+    void count(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
+               const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+
+    /// Layer g: bits of lights 32 g to 32 g + 31.
+    const gpu::Texture& texture() const { return texture_; }
+    void clear();
+
+    /// What the last count() counted, rows from the top; one sample of each pixel. Waits.
+    /// @param plan  the last of those given to count()
+    /// @return layers over each sample: exact when counted wide, else modulo 256
+    std::vector<std::uint32_t> readCounts(const CountPlan& plan) const;
+
+private:
+    void countByStencil(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
+                        const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+    void countByBlending(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
+                         const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+    void mark(const gpu::Program& program, const gpu::Stencil& stencil, const LightGroup& group, std::uint32_t l);
+
+    const gpu::Texture& depthStencil_;
+    gpu::Texture texture_;
+    std::vector<gpu::Framebuffer> framebuffers_;  // one a layer
+    gpu::Framebuffer stencilOnly_;
+    gpu::Texture oneSample_;  // for readStencil() of multisampled counts
+    gpu::Framebuffer oneSampleTarget_;
+    gpu::Program markProgram_{"fullscreen.vert", "mask.frag"};
+    gpu::Texture wideCounts_;  // R32F; these three on first use
+    gpu::Framebuffer wideTarget_;
+    gpu::Program markWideProgram_;
+    gpu::VertexArray noVertices_{"full screen"};
+};
+
+}  // namespace umbrage

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shadow/silhouette.h"
+
+#include <algorithm>
+
+namespace umbrage {
+
+void Silhouettes::bind() const {
+    lightsInModel.bindStorage(BIND_LIGHTS_IN_MODEL);
+    facing.bindStorage(BIND_FACING);
+    planes.bindStorage(BIND_PLANES);
+    casters.bindStorage(BIND_CASTERS);
+    summaries.bindStorage(BIND_SUMMARY);
+    quads.bindStorage(BIND_QUADS);
+}
+
+void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out) {
+    out.totalLights = std::uint32_t(lights.size());
+    out.facingStride = geometry.placedTriangleCount();
+    out.hostLightsInModel.resize(geometry.instanceCount() * lights.size());
+    std::size_t next = 0;
+    for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
+        const glm::dmat4 modelFromWorld = glm::inverse(geometry.worldFromModel(i));
+        for (const ShadowLight& light : lights) out.hostLightsInModel[next++] = glm::vec4(modelFromWorld * light);
+    }
+    const std::size_t groups = (lights.size() + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP;
+    out.lightsInModel.reserve("lights in model space", out.hostLightsInModel.size() * sizeof(glm::vec4));
+    out.lightsInModel.write(std::span<const glm::vec4>(out.hostLightsInModel));
+    out.facing.reserve("facing bits", groups * out.facingStride * sizeof(gpu::uvec2));
+    out.planes.reserve("triangle planes", out.facingStride * sizeof(gpu::vec4));
+    out.summaries.reserve("light summaries", LIGHTS_PER_GROUP * sizeof(gpu::LightSummary));
+}
+
+namespace {
+
+std::uint32_t largestList(std::span<const gpu::LightSummary> summaries) {
+    std::uint32_t quads = 0;
+    for (const gpu::LightSummary& summary : summaries) {
+        for (const gpu::DrawCommand& list : summary.lists) quads = std::max(quads, list.count / 6);
+    }
+    return quads;
+}
+
+void clearSummaries(const Silhouettes& out, std::uint32_t lightCount, std::vector<gpu::LightSummary>& summaries) {
+    summaries.assign(lightCount, {});
+    for (std::uint32_t l = 0; l < lightCount; ++l) {
+        for (std::uint32_t list = 0; list < LIST_COUNT; ++list) {
+            // Vertex 4 q of the shared quad pattern is entry q of the whole buffer, so a list starts at its entry.
+            summaries[l].lists[list] = {0, 1, 0, 4 * (l * LIST_COUNT + list) * out.capacity, 0};
+        }
+    }
+}
+
+}  // namespace
+
+void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, const LightGroup& group,
+                     std::uint32_t countedByFail, bool figures, Silhouettes& out) {
+    for (gpu::CasterState& caster : out.hostCasters) {
+        caster.countedByFail = countedByFail;
+        caster.hazards = 0;
+    }
+    std::vector<std::uint32_t> changed(out.hostCasters.size());  // bits of lights whose count was changed already
+    if (out.capacity == 0) out.capacity = 1024 + geometry.placedEdgeCount() / 16;
+    for (;;) {
+        out.quads.reserve("side quads", std::size_t(group.count) * LIST_COUNT * out.capacity * sizeof(std::uint32_t));
+        clearSummaries(out, group.count, out.hostSummaries);
+        out.summaries.write(std::span<const gpu::LightSummary>(out.hostSummaries));
+        out.casters.write(std::span<const gpu::CasterState>(out.hostCasters));
+        technique.sweep(geometry, group, figures, out);
+
+        const std::uint32_t needed = largestList(out.hostSummaries);
+        bool again = needed > out.capacity;
+        if (again) out.capacity = needed + needed / 4;
+        for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
+            gpu::CasterState& caster = out.hostCasters[i];
+            const std::uint32_t found = caster.hazards & ~changed[i];
+            again = again || found != 0;
+            caster.countedByFail ^= found;
+            caster.hazards = 0;
+            changed[i] |= found;
+        }
+        if (!again) return;
+    }
+}
+
+}  // namespace umbrage

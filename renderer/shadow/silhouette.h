@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Silhouettes: from lights and geometry to stored facing bits and lists of side quads on the device. One technique a
+// file; all of them fill the same buffers, so that counting does not know which one ran (design.md section 3).
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "gpu/objects.h"
+#include "shadow/geometry.h"
+
+namespace umbrage {
+
+/// A light as shadows see it: homogeneous in the world, (position, 1) or (direction towards it, 0).
+using ShadowLight = glm::dvec4;
+
+/// Lights of one group (at most LIGHTS_PER_GROUP), as positions in the frame's whole list.
+struct LightGroup {
+    std::uint32_t first = 0, count = 0;
+};
+
+/// What a silhouette technique fills for one group of lights.
+struct Silhouettes {
+    gpu::Buffer lightsInModel;  // vec4 per instance and light of the frame
+    gpu::Buffer facing;         // uvec2 per placed triangle, group after group
+    gpu::Buffer planes;         // vec4 per placed triangle: view space
+    gpu::Buffer casters;        // gpu::CasterState per instance
+    gpu::Buffer summaries;      // gpu::LightSummary per light of the group; also the indirect draw commands
+    gpu::Buffer quads;          // capacity entries per list and light
+    std::uint32_t capacity = 0;
+
+    std::vector<glm::vec4> hostLightsInModel;
+    std::vector<gpu::LightSummary> hostSummaries;
+    std::vector<gpu::CasterState> hostCasters;
+    std::uint32_t totalLights = 0, facingStride = 0;
+
+    std::uint32_t facingBase(const LightGroup& group) const {
+        return group.first / LIGHTS_PER_GROUP * facingStride;
+    }
+    void bind() const;
+};
+
+class SilhouetteTechnique {
+public:
+    virtual ~SilhouetteTechnique() = default;
+    virtual std::string_view name() const = 0;
+
+    /// One sweep over the triangles and edges. `casters` says which are counted by z-fail; the sweep adds hazards to
+    /// it, and fills everything else. Lists that outgrow `capacity` are cut, but their counts are right.
+    /// @param figures  also count lit triangles and silhouette edges
+    virtual void sweep(const Geometry& geometry, const LightGroup& group, bool figures, Silhouettes& out) = 0;
+};
+
+/// @param name  "compute" or "cpu"
+std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view name);
+
+/// Lights into every instance's model space, in double and rounded once (design.md section 2, rule 3).
+void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out);
+
+/// Sweeps until every list fits and no caster is counted from within the hazard zone of its volumes (T4): one that is
+/// changes to the other count, once (z-fail has a zone only with an orthographic eye). Results are read back.
+/// @param countedByFail  bits of the group's lights whose casters are counted by z-fail, hazards apart
+void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, const LightGroup& group,
+                     std::uint32_t countedByFail, bool figures, Silhouettes& out);
+
+}  // namespace umbrage

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+// Silhouettes on the host, as engines did before programmable hardware (and Doom 3 and OGRE after it): the reference
+// for the device's techniques and the baseline they are measured against. Positions of what deforms are read back,
+// because they are computed on the device only. Same expressions in the same order as facing.comp and edges.comp.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "shadow/silhouette.h"
+
+namespace umbrage {
+namespace {
+
+/// Sign of det[d, a, b]; see exactSign() in facing.comp.glsl.
+int exactSign(const glm::dvec3& d, const glm::dvec3& a, const glm::dvec3& b, bool& undecided) {
+    const glm::dvec3 n = glm::cross(a, b);
+    const double det = d.x * n.x + d.y * n.y + d.z * n.z;
+    if (det != 0.0) {
+        const glm::dvec3 sizes(std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
+                               std::abs(a.x * b.y) + std::abs(a.y * b.x));
+        if (std::abs(det) < 1e-14 * glm::dot(glm::abs(d), sizes)) undecided = true;
+        return det > 0.0 ? 1 : -1;
+    }
+    for (int i = 0; i < 3; ++i) {
+        if (n[i] != 0.0) return n[i] > 0.0 ? 1 : -1;
+    }
+    return -1;
+}
+
+bool crosses(const glm::dvec3& origin, const glm::dvec3& d, const std::array<glm::vec3, 3>& v, bool& undecided) {
+    int sign[3];
+    for (int i = 0; i < 3; ++i) {
+        sign[i] = exactSign(d, glm::dvec3(v[i]) - origin, glm::dvec3(v[(i + 1) % 3]) - origin, undecided);
+    }
+    return sign[0] == sign[1] && sign[1] == sign[2];
+}
+
+float sideOf(const glm::vec3& n, const glm::vec3& a, const glm::vec4& p) {
+    const glm::vec3 d = glm::vec3(p) - p.w * a;
+    return n.x * d.x + n.y * d.y + n.z * d.z;
+}
+
+/// T4; see edges.comp.glsl.
+bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
+    if (eye.w == 0.0f && light.w == 0.0f) return false;
+    const glm::vec3 l(light), p(eye);
+    const glm::vec3 e = eye.w == 0.0f ? p : light.w == 0.0f ? p - a : p - l;
+    const glm::vec3 u = light.w == 0.0f ? b - a : a - l, v = light.w == 0.0f ? -l : b - l;
+    const glm::vec3 n = glm::cross(u, v);
+    const float size = glm::length(n);
+    const float scale =
+        eye.w == 0.0f ? glm::length(e) : std::max({glm::length(e), glm::distance(p, a), glm::distance(p, b)});
+    if (std::abs(glm::dot(n, e)) >= 0x1p-16f * scale * size) return false;
+    if (size == 0.0f) return true;
+    constexpr float kMargin = 0x1p-6f;
+    const float alongU = glm::dot(glm::cross(e, v), n) / (size * size);
+    const float alongV = glm::dot(glm::cross(u, e), n) / (size * size);
+    if (eye.w == 0.0f) {
+        return alongU * glm::length(u) > -kMargin * scale && alongV * glm::length(v) > -kMargin * scale;
+    }
+    if (light.w == 0.0f) {
+        return alongU > -kMargin && alongU < 1.0f + kMargin && alongV > -kMargin * (glm::length(u) + glm::length(e));
+    }
+    return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0f - kMargin;
+}
+
+class CpuSilhouettes : public SilhouetteTechnique {
+public:
+    std::string_view name() const override { return "cpu"; }
+
+    void sweep(const Geometry& geometry, const LightGroup& group, bool, Silhouettes& out) override {
+        if (positions_.empty() || geometry.deforms()) positions_ = geometry.readPositions();
+        facing_.assign(geometry.placedTriangleCount(), gpu::uvec2(0));
+        planes_.assign(geometry.placedTriangleCount(), gpu::vec4(0.0f));
+        entries_.assign(std::size_t(group.count) * LIST_COUNT, {});
+        for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
+            faceTriangles(geometry, i, group, out);
+            findEdges(geometry, i, group, out);
+        }
+        upload(group, out);
+    }
+
+private:
+    glm::vec3 position(std::uint32_t vertex) const {
+        return {positions_[3 * vertex], positions_[3 * vertex + 1], positions_[3 * vertex + 2]};
+    }
+    static const glm::vec4& lightOf(const Silhouettes& out, std::uint32_t instance, const LightGroup& group,
+                                    std::uint32_t l) {
+        return out.hostLightsInModel[std::size_t(instance) * out.totalLights + group.first + l];
+    }
+    static std::uint32_t listOf(const gpu::InstanceData& instance, const gpu::CasterState& caster, std::uint32_t l,
+                                bool even) {
+        if (caster.countedByFail >> l & 1u) return LIST_FAIL;
+        return even && !(instance.flags & INSTANCE_WHOLE) ? LIST_HALVED : LIST_WHOLE;
+    }
+
+    void faceTriangles(const Geometry& geometry, std::uint32_t i, const LightGroup& group, Silhouettes& out);
+    void countEye(const gpu::InstanceData& instance, const glm::vec4& light, float lightSide,
+                  const std::array<glm::vec3, 3>& v, const glm::vec3& n, std::uint32_t list, std::uint32_t l,
+                  gpu::LightSummary& summary, gpu::CasterState& caster) const;
+    void findEdges(const Geometry& geometry, std::uint32_t i, const LightGroup& group, Silhouettes& out);
+    void upload(const LightGroup& group, Silhouettes& out);
+
+    std::vector<float> positions_;
+    std::vector<gpu::uvec2> facing_;
+    std::vector<gpu::vec4> planes_;
+    std::vector<std::vector<std::uint32_t>> entries_;  // light-major, LIST_COUNT lists each
+};
+
+void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, const LightGroup& group,
+                                   Silhouettes& out) {
+    const gpu::InstanceData& instance = geometry.instances()[i];
+    // A chunk at a time in structures of arrays, so that the compiler makes SIMD of the inner loop.
+    std::array<float, CHUNK_SIZE> ax, ay, az, nx, ny, nz, side;
+    std::array<std::array<glm::vec3, 3>, CHUNK_SIZE> corners;
+    for (std::uint32_t first = 0; first < instance.triangleCount; first += CHUNK_SIZE) {
+        const std::uint32_t count = std::min<std::uint32_t>(CHUNK_SIZE, instance.triangleCount - first);
+        for (std::uint32_t k = 0; k < count; ++k) {
+            const std::uint32_t* index = &geometry.indices()[3 * (instance.triangleBase + first + k)];
+            for (std::uint32_t c = 0; c < 3; ++c) corners[k][c] = position(instance.vertexBase + index[c]);
+            const glm::vec3 a = corners[k][0], u = corners[k][1] - a, v = corners[k][2] - a;
+            ax[k] = a.x, ay[k] = a.y, az[k] = a.z;
+            nx[k] = u.y * v.z - u.z * v.y;
+            ny[k] = u.z * v.x - u.x * v.z;
+            nz[k] = u.x * v.y - u.y * v.x;
+            const glm::vec3 n(nx[k], ny[k], nz[k]);
+            glm::vec3 normal, inView;
+            for (int r = 0; r < 3; ++r) {
+                normal[r] = glm::dot(glm::vec3(instance.normalFromModel[r]), n);
+                inView[r] = glm::dot(instance.viewFromModel[r], glm::vec4(a, 1.0f));
+            }
+            normal /= std::max(glm::length(normal), 1e-37f);
+            planes_[instance.placedTriangleBase + first + k] = {normal, -glm::dot(normal, inView)};
+        }
+        for (std::uint32_t l = 0; l < group.count; ++l) {
+            const glm::vec4 light = lightOf(out, i, group, l);
+            for (std::uint32_t k = 0; k < count; ++k) {
+                const float dx = light.x - light.w * ax[k], dy = light.y - light.w * ay[k], dz = light.z - light.w * az[k];
+                side[k] = nx[k] * dx + ny[k] * dy + nz[k] * dz;
+            }
+            gpu::LightSummary& summary = out.hostSummaries[l];
+            for (std::uint32_t k = 0; k < count; ++k) {
+                const std::uint32_t flags = geometry.triangleFlags()[instance.triangleBase + first + k];
+                const bool front = side[k] > 0.0f;
+                const bool back = side[k] < 0.0f || (!front && (flags & TRIANGLE_EVEN));
+                gpu::uvec2& bits = facing_[instance.placedTriangleBase + first + k];
+                bits.x |= std::uint32_t(front) << l;
+                bits.y |= std::uint32_t(back) << l;
+                if (!(flags & TRIANGLE_CASTS) || !(front || back)) continue;
+                summary.litTriangles += front;
+                const std::uint32_t list = listOf(instance, out.hostCasters[i], l, flags & TRIANGLE_EVEN);
+                countEye(instance, light, side[k], corners[k], {nx[k], ny[k], nz[k]}, list, l, summary,
+                         out.hostCasters[i]);
+            }
+        }
+    }
+}
+
+void CpuSilhouettes::countEye(const gpu::InstanceData& instance, const glm::vec4& light, float lightSide,
+                              const std::array<glm::vec3, 3>& v, const glm::vec3& n, std::uint32_t list,
+                              std::uint32_t l, gpu::LightSummary& summary, gpu::CasterState& caster) const {
+    glm::vec4 eye = instance.eyeInModel;
+    const bool orthographic = eye.w == 0.0f;
+    if (orthographic ? light.w == 0.0f : list == LIST_FAIL) return;
+    if (orthographic && list == LIST_FAIL) eye = -eye;
+    const float eyeSide = sideOf(n, v[0], eye);
+    if (eyeSide == 0.0f || (eyeSide > 0.0f) == (lightSide > 0.0f)) return;
+    const glm::dvec3 e(eye), p(light);
+    bool undecided = false;
+    const bool between = orthographic ? crosses(p, e, v, undecided) : crosses(e, p - double(light.w) * e, v, undecided);
+    summary.eyeInside[list] += between;
+    if (undecided) caster.hazards |= 1u << l;
+}
+
+void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const LightGroup& group, Silhouettes& out) {
+    const gpu::InstanceData& instance = geometry.instances()[i];
+    const gpu::uvec2* facing = &facing_[instance.placedTriangleBase];
+    const auto traversals = [&](std::uint32_t triangle) {
+        const gpu::uvec2 bits = facing[triangle & EDGE_TRIANGLE];
+        return triangle & EDGE_REVERSED ? gpu::uvec2(bits.y, bits.x) : bits;
+    };
+    for (std::uint32_t k = 0; k < instance.edgeCount; ++k) {
+        const gpu::Edge& edge = geometry.edges()[instance.edgeBase + k];
+        const gpu::uvec2 left = traversals(edge.left);
+        const gpu::uvec2 right = edge.right == EDGE_NONE ? gpu::uvec2(0) : traversals(edge.right);
+        const gpu::uvec2 twice = left & right, both = left | right;
+        const gpu::uvec2 once = (left ^ right) & ~gpu::uvec2(both.y, both.x);
+        const std::uint32_t silhouette = twice.x | twice.y | once.x | once.y;
+        for (std::uint32_t l = 0; l < group.count; ++l) {
+            if (!(silhouette >> l & 1u)) continue;
+            const std::uint32_t list = listOf(instance, out.hostCasters[i], l, edge.left & EDGE_EVEN);
+            const bool negative = (twice.y | once.y) >> l & 1u;
+            const int times = ((twice.x | twice.y) >> l & 1u) && list != LIST_HALVED ? 2 : 1;
+            const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative);
+            entries_[l * LIST_COUNT + list].insert(entries_[l * LIST_COUNT + list].end(), std::size_t(times), entry);
+            ++out.hostSummaries[l].silhouetteEdges;
+            const bool orthographic = instance.eyeInModel.w == 0.0f;
+            if (list == LIST_FAIL && !orthographic) continue;
+            const glm::vec4 eye = list == LIST_FAIL ? -instance.eyeInModel : instance.eyeInModel;
+            if (hazardous(eye, lightOf(out, i, group, l), position(instance.vertexBase + edge.a),
+                          position(instance.vertexBase + edge.b))) {
+                out.hostCasters[i].hazards |= 1u << l;
+            }
+        }
+    }
+}
+
+void CpuSilhouettes::upload(const LightGroup& group, Silhouettes& out) {
+    for (std::uint32_t list = 0; list < group.count * LIST_COUNT; ++list) {
+        const std::vector<std::uint32_t>& entries = entries_[list];
+        out.hostSummaries[list / LIST_COUNT].lists[list % LIST_COUNT].count = std::uint32_t(6 * entries.size());
+        const std::size_t kept = std::min<std::size_t>(entries.size(), out.capacity);
+        out.quads.write(std::size_t(list) * out.capacity * sizeof(std::uint32_t), kept * sizeof(std::uint32_t),
+                        entries.data());
+    }
+    out.summaries.write(std::span<const gpu::LightSummary>(out.hostSummaries));
+    out.casters.write(std::span<const gpu::CasterState>(out.hostCasters));
+    out.facing.write(out.facingBase(group) * sizeof(gpu::uvec2), facing_.size() * sizeof(gpu::uvec2), facing_.data());
+    out.planes.write(std::span<const gpu::vec4>(planes_));
+}
+
+}  // namespace
+
+std::unique_ptr<SilhouetteTechnique> makeCpuSilhouettes() { return std::make_unique<CpuSilhouettes>(); }
+
+}  // namespace umbrage

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <stdexcept>
+
+#include "shadow/silhouette.h"
+
+namespace umbrage {
+
+// One line a technique; each is in a file of its name.
+std::unique_ptr<SilhouetteTechnique> makeComputeSilhouettes();
+std::unique_ptr<SilhouetteTechnique> makeCpuSilhouettes();
+
+std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view name) {
+    if (name == "compute") return makeComputeSilhouettes();
+    if (name == "cpu") return makeCpuSilhouettes();
+    throw std::logic_error("no such silhouette technique: " + std::string(name));
+}
+
+}  // namespace umbrage

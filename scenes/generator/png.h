@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// 8-bit RGB pictures into PNG files in memory.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace generator {
+
+struct Picture {
+    int size = 0;                     // square
+    std::vector<std::uint8_t> rgb{};  // rows from the top
+};
+
+std::string pngOf(const Picture& picture);
+
+}  // namespace generator

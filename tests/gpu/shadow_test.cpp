@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadow masks of every technique against brute force, in the situations that break textbook shadow volumes
+// (algorithms.md C1). Whole frames, as the program renders them.
+#include <gtest/gtest.h>
+
+#include "gpu/context.h"
+#include "scenes.h"
+
+namespace umbrage::test {
+namespace {
+
+constexpr int kWidth = 160, kHeight = 120;
+
+const gpu::Context& context() {
+    static const gpu::Context instance;
+    return instance;
+}
+
+struct Rendered {
+    FramePixels pixels;
+    Statistics statistics;
+};
+
+FramePixels render(const TestScene& test, CountTechnique count, const std::string& silhouette, bool halve,
+                   bool counts = false) {
+    FrameSettings settings;
+    settings.width = kWidth;
+    settings.height = kHeight;
+    settings.count = count;
+    settings.silhouette = silhouette;
+    settings.halveEvenComponents = halve;
+    const Moment moment = evaluate(test.scene, {}, 0.0);
+    FrameRenderer renderer(test.scene, moment, settings, context());
+    FrameOutputs outputs;
+    outputs.shadows = true;
+    outputs.counts = counts;
+    Statistics statistics;
+    return renderer.render(moment, test.placedCamera(), outputs, 1, statistics);
+}
+
+/// Every technique agrees with brute force off boundaries, and with the others everywhere.
+void expectRight(const TestScene& test, double boundaryShare = 0.004) {
+    const Moment moment = evaluate(test.scene, {}, 0.0);
+    const std::string lightId = moment.lights.at(0).id;
+    std::vector<std::vector<Answer>> answers;
+    for (const PlacedLight& light : moment.lights) answers.push_back(bruteForce(test, moment, light, kWidth, kHeight));
+    FramePixels reference;
+    for (const CountTechnique count : {CountTechnique::ZPass, CountTechnique::ZFail}) {
+        for (const char* silhouette : {"compute", "cpu"}) {
+            for (const bool halve : {true, false}) {
+                SCOPED_TRACE(std::string(count == CountTechnique::ZPass ? "z-pass " : "z-fail ") + silhouette +
+                             (halve ? " halved" : " whole"));
+                FramePixels pixels = render(test, count, silhouette, halve);
+                for (std::size_t l = 0; l < answers.size(); ++l) {
+                    SCOPED_TRACE(moment.lights[l].id);
+                    const Mismatches m = compare(pixels.lights[l].shadow, answers[l], kWidth, kHeight);
+                    EXPECT_EQ(m.off, 0);
+                    EXPECT_LE(m.boundary, boundaryShare * kWidth * kHeight);
+                    EXPECT_GT(m.lit + m.dark, 0);
+                    if (!reference.lights.empty()) {
+                        EXPECT_EQ(pixels.lights[l].shadow, reference.lights[l].shadow);
+                    }
+                }
+                if (reference.lights.empty()) reference = std::move(pixels);
+            }
+        }
+    }
+}
+
+TEST(Shadow, ClosedSphereOnGroundPointAndDirectional) {
+    TestScene test;
+    test.add(ground(6.0f));
+    test.add(sphere(3)).translation = {0.0, 1.5, 0.0};
+    test.addLight(LightType::Point, {2.0, 6.0, 1.5});
+    test.addLight(LightType::Directional, {1.0, 2.0, 0.5});
+    test.addLight(LightType::Point, {-4.0, 1.2, 2.0});
+    expectRight(test);
+}
+
+TEST(Shadow, A6LightInsideAClosedMesh) {
+    TestScene test;
+    test.add(ground(6.0f));
+    test.add(sphere(2), true).translation = {0.0, 1.5, 0.0};
+    test.addLight(LightType::Point, {0.1, 1.6, 0.05});
+    expectRight(test);
+}
+
+TEST(Shadow, A8DirectionalLightParallelToFaces) {
+    TestScene test;
+    test.add(ground(6.0f));
+    test.add(box({-1, 0.5f, -1}, {1, 2, 1}));
+    test.addLight(LightType::Directional, {0.0, 1.0, 0.0});
+    test.addLight(LightType::Directional, {0.0, 0.0, 1.0});
+    expectRight(test);
+}
+
+TEST(Shadow, B1EyeInsideNestedVolumes) {
+    for (const int shells : {1, 2, 7}) {
+        SCOPED_TRACE(shells);
+        TestScene test;
+        test.add(ground(12.0f));
+        for (int i = 0; i < shells; ++i) {
+            Node& shell = test.add(sphere(2));
+            shell.translation = {-0.4, 6.0 + 0.5 * i, 3.0};
+            shell.scale = glm::dvec3(0.6 + 0.5 * i);
+        }
+        test.add(sphere(2)).translation = {2.0, 1.0, 0.0};
+        test.eye = {0.0, 1.0, 4.0};
+        test.target = {1.0, 0.3, 0.0};
+        test.addLight(LightType::Point, {-1.0, 12.0, 2.5});
+        expectRight(test, 0.01);
+    }
+}
+
+TEST(Shadow, B2EyeInsideAClosedCaster) {
+    TestScene test;
+    test.add(sphere(3), true).scale = glm::dvec3(3.0);
+    test.add(box({-0.5f, -1, -1.5f}, {0.5f, 0.2f, -1}), true);
+    test.eye = {0.0, 0.2, 2.0};
+    test.target = {0.0, 0.0, -1.0};
+    test.addLight(LightType::Point, {0.8, 1.5, 0.5});
+    test.addLight(LightType::Point, {4.0, 5.0, 0.5});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, B4NearPlaneCutsTheCaster) {
+    TestScene test;
+    test.add(ground(8.0f));
+    test.add(sphere(3)).translation = {0.0, 1.5, 3.2};  // reaches through the near plane towards the eye
+    test.camera.znear = 1.0;
+    test.eye = {0.0, 1.8, 4.6};
+    test.target = {0.2, 0.5, 0.0};
+    test.addLight(LightType::Point, {0.5, 5.0, 5.0});
+    test.addLight(LightType::Directional, {0.3, 0.7, 1.0});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, T1CardBetweenEyeAndNearPlane) {
+    TestScene test;
+    test.add(ground(8.0f));
+    test.add(quad({-1, 0.5f, 4.3f}, {1, 0.5f, 4.3f}, {1, 2.5f, 4.3f}, {-1, 2.5f, 4.3f}), true);
+    test.camera.znear = 1.0;
+    test.eye = {0.0, 1.8, 5.0};
+    test.target = {0.0, 0.5, 0.0};
+    test.addLight(LightType::Point, {0.5, 4.0, 7.0});
+    test.addLight(LightType::Directional, {0.1, 0.5, 1.0});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, T1SingleSidedRoomSeenThroughItsCulledWall) {
+    TestScene test;
+    Triangles room = box({-3, 0, -3}, {3, 3, 3});
+    for (auto& triangle : room) std::swap(triangle[1], triangle[2]);  // faces look inwards
+    test.add(room);
+    test.add(sphere(2)).translation = {0.0, 1.0, 0.0};
+    test.eye = {0.5, 2.0, 9.0};
+    test.addLight(LightType::Point, {1.5, 2.5, 1.0});   // inside
+    test.addLight(LightType::Point, {0.0, 2.0, 12.0});  // outside: everything seen is in the walls' shadow
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, B11OrthographicCamera) {
+    TestScene test;
+    test.camera.perspective = false;
+    test.camera.xmag = test.camera.ymag = 4.0;
+    test.camera.znear = 0.5;
+    test.camera.zfar = 30.0;
+    test.add(ground(6.0f));
+    test.add(sphere(2)).translation = {0.0, 1.5, 0.0};
+    test.add(sphere(1), true).translation = {1.5, 3.0, 9.5};  // behind the camera, casting into the view
+    test.addLight(LightType::Point, {2.0, 6.0, 1.5});
+    test.addLight(LightType::Directional, {0.3, 1.0, 1.2});
+    test.addLight(LightType::Point, {2.5, 5.0, 14.0});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, T5OrthographicEyeAlongADirectionalLight) {
+    TestScene test;
+    test.camera.perspective = false;
+    test.camera.xmag = test.camera.ymag = 4.0;
+    test.camera.zfar = 30.0;
+    test.eye = {0.0, 0.0, 8.0};
+    test.target = {0.0, 0.0, 0.0};
+    test.add(quad({-3, -2, -2}, {3, -2, -2}, {3, 2, -2}, {-3, 2, -2}), true);
+    test.add(quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}), true);
+    test.add(quad({1.5f, -1, 9}, {2.5f, -1, 9}, {2.5f, 1, 9}, {1.5f, 1, 9}), true);  // behind the camera
+    Node& light = test.addLight(LightType::Directional, {0.0, 0.0, 1.0});
+    light.matrix = glm::dmat4(1.0);  // shines along -Z exactly
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, C1OpenSheetsFromBothSides) {
+    TestScene test;
+    test.add(ground(6.0f), true);
+    test.add(quad({-1, 1, -1}, {1, 1.2f, -1}, {1, 1.5f, 1}, {-1, 1, 1}), true);
+    test.add({{glm::vec3(2, 0.5f, 0), glm::vec3(3, 2, 0.4f), glm::vec3(2, 2.5f, 1)}}, true);
+    test.addLight(LightType::Point, {0.5, 4.0, 0.5});
+    test.addLight(LightType::Point, {0.5, 0.3, 0.5});  // below the sheet
+    test.addLight(LightType::Directional, {-1.0, 1.0, 0.2});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, C2DuplicateAndFlippedFaces) {
+    TestScene test;
+    test.add(ground(6.0f), true);
+    Triangles stack = quad({-1, 1, 1}, {1, 1, 1}, {1, 1, -1}, {-1, 1, -1});
+    const Triangles once = stack;
+    stack.insert(stack.end(), once.begin(), once.end());
+    Triangles flipped = once;
+    for (auto& triangle : flipped) std::swap(triangle[1], triangle[2]);
+    stack.insert(stack.end(), flipped.begin(), flipped.end());
+    test.add(stack, true);
+    test.addLight(LightType::Point, {0.5, 4.0, 0.5});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, C4MoebiusStrip) {
+    TestScene test;
+    test.add(ground(6.0f), true);
+    Triangles strip;
+    std::vector<std::array<glm::vec3, 2>> rungs;
+    constexpr int kCount = 48;
+    for (int i = 0; i < kCount; ++i) {
+        const float a = 6.2831853f * float(i) / kCount;
+        const glm::vec3 middle(1.5f * std::cos(a), 2.0f, 1.5f * std::sin(a));
+        const glm::vec3 across = 0.6f * (std::cos(a / 2) * glm::normalize(middle - glm::vec3(0, 2, 0)) + std::sin(a / 2) * glm::vec3(0, 1, 0));
+        rungs.push_back({middle - across, middle + across});
+    }
+    for (int i = 0; i < kCount; ++i) {
+        std::array<glm::vec3, 2> next = rungs[std::size_t((i + 1) % kCount)];
+        if (i == kCount - 1) std::swap(next[0], next[1]);
+        strip.push_back({rungs[std::size_t(i)][0], rungs[std::size_t(i)][1], next[1]});
+        strip.push_back({rungs[std::size_t(i)][0], next[1], next[0]});
+    }
+    test.add(strip, true);
+    test.addLight(LightType::Point, {0.5, 5.0, 0.5});
+    test.addLight(LightType::Directional, {0.3, 1.0, 0.8});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, B10MirroredAndUnevenlyScaledNodes) {
+    TestScene test;
+    test.add(ground(6.0f));
+    Node& mirrored = test.add(sphere(2));
+    mirrored.translation = {-1.5, 1.5, 0.0};
+    mirrored.scale = {-1.2, 0.5, 0.8};
+    Node& sheet = test.add(quad({0, 0, 1}, {1, 0, 1}, {1, 0, -1}, {0, 0, -1}), true);
+    sheet.translation = {1.0, 1.0, 0.0};
+    sheet.scale = {2.0, 1.0, -0.7};
+    test.addLight(LightType::Point, {0.5, 5.0, 0.5});
+    test.addLight(LightType::Directional, {1.0, 1.0, 0.3});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, D1FarFromTheOrigin) {
+    TestScene near;
+    near.add(ground(6.0f));
+    near.add(sphere(3)).translation = {0.0, 1.5, 0.0};
+    near.addLight(LightType::Point, {2.0, 6.0, 1.5});
+    TestScene far = near;
+    const glm::dvec3 shift(1048576.0, 0.0, 1048576.0);
+    for (Node& node : far.scene.nodes) node.translation += shift;
+    far.eye += shift;
+    far.target += shift;
+    const FramePixels here = render(near, CountTechnique::ZPass, "compute", true);
+    const FramePixels there = render(far, CountTechnique::ZPass, "compute", true);
+    EXPECT_EQ(here.lights[0].shadow, there.lights[0].shadow);
+}
+
+TEST(Shadow, E1StacksOfPlatesBeyondEightBits) {
+    for (const int plates : {255, 256, 257, 512}) {
+        SCOPED_TRACE(plates);
+        TestScene test;
+        test.add(ground(6.0f), true);
+        Triangles stack;
+        for (int i = 0; i < plates; ++i) {
+            const float y = 1.0f + 0.004f * float(i);
+            const Triangles plate = quad({-1, y, 1}, {1, y, 1}, {1, y, -1}, {-1, y, -1});
+            stack.insert(stack.end(), plate.begin(), plate.end());
+        }
+        test.add(stack, true);
+        test.addLight(LightType::Point, {0.1, 6.0, 0.1});
+        expectRight(test, 0.01);
+        const FramePixels counted = render(test, CountTechnique::ZPass, "compute", true, true);
+        const std::vector<std::uint32_t>& counts = counted.lights[0].counts;
+        EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), std::uint32_t(plates > 255 ? plates : plates % 256));
+    }
+}
+
+TEST(Shadow, E2EyeUnderAStackOfPlates) {
+    TestScene test;
+    test.add(ground(6.0f), true);
+    Triangles stack;
+    for (int i = 0; i < 256; ++i) {
+        const float y = 4.0f + 0.004f * float(i);
+        const Triangles plate = quad({-2, y, 8}, {2, y, 8}, {2, y, 2}, {-2, y, 2});
+        stack.insert(stack.end(), plate.begin(), plate.end());
+    }
+    test.add(stack, true);
+    test.eye = {0.0, 1.5, 5.0};
+    test.addLight(LightType::Point, {0.1, 9.0, 5.3});
+    expectRight(test, 0.01);
+}
+
+TEST(Shadow, M1CountsOfPassAndFailAgreeEverywhere) {
+    TestScene test;
+    test.add(ground(8.0f));
+    for (int i = 0; i < 4; ++i) test.add(sphere(2)).translation = {0.3 * i, 1.2 + 1.4 * i, 0.2 * i};
+    test.add(quad({-2, 3, -1}, {2, 3, -1}, {2, 3.3f, 1}, {-2, 3.3f, 1}), true);
+    test.addLight(LightType::Point, {2.0, 7.0, 1.5});
+    test.addLight(LightType::Directional, {-1.0, 2.0, 0.5});
+    const FramePixels pass = render(test, CountTechnique::ZPass, "compute", true, true);
+    const FramePixels fail = render(test, CountTechnique::ZFail, "cpu", true, true);
+    for (std::size_t l = 0; l < 2; ++l) {
+        int differences = 0, deepest = 0;
+        for (std::size_t i = 0; i < pass.lights[l].counts.size(); ++i) {
+            if (pass.radiance[4 * i] == 0.0f && pass.radiance[4 * i + 1] == 0.0f) continue;  // background
+            differences += pass.lights[l].counts[i] != fail.lights[l].counts[i];
+            deepest = std::max(deepest, int(pass.lights[l].counts[i]));
+        }
+        EXPECT_EQ(differences, 0);
+        EXPECT_GE(deepest, 3);
+        EXPECT_LT(deepest, 20);
+    }
+}
+
+}  // namespace
+}  // namespace umbrage::test
