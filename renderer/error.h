@@ -23,7 +23,10 @@ public:
     /// @param hint  what to do about it; may be empty
     Error(ErrorKind kind, const std::string& where, const std::string& message, const std::string& hint = {})
         : std::runtime_error((where.empty() ? "" : where + ": ") + message + (hint.empty() ? "" : " (" + hint + ")")),
-          kind_(kind), where_(where), message_(message), hint_(hint) {}
+          kind_(kind),
+          where_(where),
+          message_(message),
+          hint_(hint) {}
 
     ErrorKind kind() const { return kind_; }
     const std::string& where() const { return where_; }

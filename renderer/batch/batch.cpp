@@ -23,7 +23,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 GltfOptions gltfOptionsOf(const BatchOptions& options) {
     GltfOptions gltf;
@@ -31,7 +33,9 @@ GltfOptions gltfOptionsOf(const BatchOptions& options) {
     return gltf;
 }
 
-glm::vec3 vec3Of(const std::array<double, 3>& v) { return {float(v[0]), float(v[1]), float(v[2])}; }
+glm::vec3 vec3Of(const std::array<double, 3>& v) {
+    return {float(v[0]), float(v[1]), float(v[2])};
+}
 
 FrameSettings settingsOf(const Job& job) {
     FrameSettings settings;
@@ -43,8 +47,12 @@ FrameSettings settingsOf(const Job& job) {
     settings.silhouette = job.shadow.silhouette == "auto" ? "compute" : job.shadow.silhouette;
     settings.count = job.shadow.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
     settings.eyeConstant = job.shadow.eyeConstant;
-    const auto halve = job.shadow.skips.find("halve");
-    settings.halveEvenComponents = halve == job.shadow.skips.end() || halve->second;
+    const auto skip = [&](const char* name) {
+        const auto found = job.shadow.skips.find(name);
+        return found == job.shadow.skips.end() || found->second;
+    };
+    settings.halveEvenComponents = skip("halve");
+    settings.skipOutOfReach = skip("range");
     settings.background = vec3Of(job.image.background);
     settings.ambientSky = vec3Of(job.image.ambientSky);
     settings.ambientGround = vec3Of(job.image.ambientGround);
@@ -89,9 +97,9 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     const gpu::Context context(options.device);
     const Moment first = evaluate(composition.scene, composition.animations, timeOf(frames.front()));
     FrameRenderer renderer(composition.scene, first, settingsOf(job), context);
-    const std::unique_ptr<DisplayTransform> display = codec().displayTransform(
-        {options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display, job.color.view,
-         job.color.exposureStops});
+    const std::unique_ptr<DisplayTransform> display =
+        codec().displayTransform({options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display,
+                                  job.color.view, job.color.exposureStops});
     say(composition, context, job, outputs, observer);
     observer.note(fmt::format("colour: {}", display->description()));
     const Metadata metadata = metadataOf(composition, context.info(), *display, first);
@@ -116,8 +124,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
             const Clock::time_point frameStart = Clock::now();
             const Moment moment = evaluate(composition.scene, composition.animations, timeOf(frame));
             const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
-            auto pixels =
-                std::make_unique<FramePixels>(renderer.render(moment, camera, outputs, frame, statistics));
+            auto pixels = std::make_unique<FramePixels>(renderer.render(moment, camera, outputs, frame, statistics));
             if (job.diagnostics.profile) {
                 statistics.record(frame, "", "time.frame", 1e3 * secondsSince(frameStart));
                 statistics.record(frame, "", "memory.peak", peakHostMemoryMebibytes());
@@ -136,11 +143,11 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     if (!summary.written.empty()) summary.example = frameFiles(job, summary.written.front()).front();
     if (!job.statistics.path.empty()) {
         const bool csv = std::filesystem::path(job.statistics.path).extension() == ".csv";
-        const StatisticsHeader header{{"sequence", job.file.filename().string()},
-                                      {"version", std::string(kVersion)},
-                                      {"device", context.info().renderer},
-                                      {"clock", context.info().software ? "wall clock between glFinish calls"
-                                                                        : "GPU timer queries"}};
+        const StatisticsHeader header{
+            {"sequence", job.file.filename().string()},
+            {"version", std::string(kVersion)},
+            {"device", context.info().renderer},
+            {"clock", context.info().software ? "wall clock between glFinish calls" : "GPU timer queries"}};
         writeWhole(job.statistics.path, csv ? statistics.csv() : statistics.json(header));
     }
     return summary;

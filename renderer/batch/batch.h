@@ -17,15 +17,15 @@ struct BatchOptions {
     std::string device = "auto";  // see gpu::Context
     std::string ocioConfig;       // --ocio: wins over the job's
     bool allowExternalFiles = false;
-    int workers = 0;              // encoding threads; 0: one less than the processor's, at least one
+    int workers = 0;  // encoding threads; 0: one less than the processor's, at least one
 };
 
 /// What a run tells whoever watches. Calls come from one thread at a time.
 class BatchObserver {
 public:
     virtual ~BatchObserver() = default;
-    virtual void note(const std::string& text) = 0;                 // something was odd, chosen or ignored
-    virtual void started(std::size_t frameCount) = 0;               // loading is over
+    virtual void note(const std::string& text) = 0;    // something was odd, chosen or ignored
+    virtual void started(std::size_t frameCount) = 0;  // loading is over
     virtual void frameWritten(int frame, std::size_t done, std::size_t frameCount) = 0;
 };
 

@@ -44,7 +44,8 @@ void writeBeauty(const Writing& w, const std::string& ext) {
     if (ext == "exr") {
         const PixelType type = w.job.output.exrHalf ? PixelType::Half : PixelType::Float;
         const float* rgba = w.pixels.radiance.data();
-        w.write("beauty", ext, {channel("R", type, rgba, 4), channel("G", type, rgba + 1, 4), channel("B", type, rgba + 2, 4)});
+        w.write("beauty", ext,
+                {channel("R", type, rgba, 4), channel("G", type, rgba + 1, 4), channel("B", type, rgba + 2, 4)});
         return;
     }
     const std::vector<float> rgba = displayed(w);
@@ -60,7 +61,8 @@ void writeDepth(const Writing& w, const std::string& ext) {
 void writeNormal(const Writing& w, const std::string& ext) {
     const float* n = w.pixels.normalAndDepth.data();
     const PixelType type = w.job.output.exrHalf ? PixelType::Half : PixelType::Float;
-    w.write("normal", ext, {channel("N.X", type, n, 4), channel("N.Y", type, n + 1, 4), channel("N.Z", type, n + 2, 4)});
+    w.write("normal", ext,
+            {channel("N.X", type, n, 4), channel("N.Y", type, n + 1, 4), channel("N.Z", type, n + 2, 4)});
 }
 
 void writeShadow(const Writing& w, const std::string& ext) {
@@ -90,7 +92,7 @@ struct Aov {
     std::string_view name;
     bool FrameOutputs::*needs;  // null: the radiance every frame has
     void (*write)(const Writing&, const std::string& ext);
-    bool png;                   // something to look at: may be a PNG
+    bool png;  // something to look at: may be a PNG
 };
 constexpr Aov kAovWriters[] = {
     {"beauty", nullptr, writeBeauty, true},
@@ -110,7 +112,9 @@ std::vector<float> summedCounts(const Writing& w) {
     return sum;
 }
 
-std::vector<float> volumeFragments(const Writing& w) { return w.pixels.overdrawFragments; }
+std::vector<float> volumeFragments(const Writing& w) {
+    return w.pixels.overdrawFragments;
+}
 
 struct Overlay {
     std::string_view name;
@@ -124,7 +128,9 @@ constexpr Overlay kOverlayWriters[] = {
     {"overdraw", &FrameOutputs::overdraw, volumeFragments, "shadow volume fragments, all lights", 64.0f},
 };
 
-std::string overlayFileName(std::string_view overlay) { return fmt::format("overlay-{}", overlay); }
+std::string overlayFileName(std::string_view overlay) {
+    return fmt::format("overlay-{}", overlay);
+}
 
 void writeOverlay(const Writing& w, const Overlay& overlay) {
     const std::vector<float> rgba = displayed(w);
@@ -149,8 +155,8 @@ void forEachAov(const Job& job, Visit visit) {
         const auto wanted = job.output.aovs.find(std::string(aov.name));
         if (wanted == job.output.aovs.end()) continue;
         if (wanted->second == "png" && !aov.png) {
-            throw Error(ErrorKind::Input, fmt::format("output.aovs.{}", aov.name), "is data, which PNG would cut to [0, 1]",
-                        "write exr");
+            throw Error(ErrorKind::Input, fmt::format("output.aovs.{}", aov.name),
+                        "is data, which PNG would cut to [0, 1]", "write exr");
         }
         visit(aov, wanted->second);
     }

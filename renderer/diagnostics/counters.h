@@ -25,6 +25,7 @@ inline constexpr std::array kCounters{
     CounterInfo{"overdraw.updates", "count", "stencil updates: fragments of shadow volumes that count"},
     CounterInfo{"eye.constant", "count", "shadow volumes that hold the eye"},
     CounterInfo{"casters.zfail", "count", "casters counted by z-fail because the eye is near their volumes"},
+    CounterInfo{"casters.outOfReach", "count", "casters skipped because the light's range ends before them"},
     CounterInfo{"lights.skipped", "count", "lights that provably change no pixel of the frame"},
     CounterInfo{"time.position", "ms", "skinning, morphing and displacement of positions"},
     CounterInfo{"time.gbuffer", "ms", "depth and surface attributes"},

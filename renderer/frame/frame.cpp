@@ -12,6 +12,7 @@
 #include "shading/materials.h"
 #include "shading/resolve.h"
 #include "shading/surfaces.h"
+#include "shadow/bounds.h"
 #include "shadow/counts.h"
 #include "shadow/geometry.h"
 #include "shadow/layers.h"
@@ -52,8 +53,9 @@ struct FrameRenderer::Impl {
     Silhouettes silhouettes;
     LayerBound layerBound{geometry};
     VolumeRenderer volumes;
-    std::unique_ptr<Masks> masks;        // made anew when the number of groups of lights grows
-    std::unique_ptr<Overdraw> overdraw;  // on first use
+    std::vector<Geometry::Bounds> boxes;  // per instance, in the world, this frame
+    std::unique_ptr<Masks> masks;         // made anew when the number of groups of lights grows
+    std::unique_ptr<Overdraw> overdraw;   // on first use
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
 
     Impl(const Scene& s, const Moment& first, const FrameSettings& wanted, const gpu::Context& context)
@@ -71,6 +73,7 @@ struct FrameRenderer::Impl {
 
     void uploadView(const Eye& eye, const std::vector<const PlacedLight*>& lights);
     CountSettings findCasters(const Eye& eye, bool halve);
+    void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights);
     void castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      int frame, Statistics& statistics, FramePixels& pixels);
     void recordLight(const std::string& id, const LightGroup& group, std::uint32_t l,
@@ -114,7 +117,9 @@ CountSettings FrameRenderer::Impl::findCasters(const Eye& eye, bool halve) {
     CountSettings counts;
     counts.eyeConstant = settings.eyeConstant;
     counts.perspective = eye.perspective;
-    counts.nearer = geometry.nearerThanNearPlane(eye);
+    const std::vector<Geometry::Bounds> modelBounds = geometry.modelBounds();
+    boxes = worldBounds(geometry, modelBounds);
+    counts.nearer = nearerThanNearPlane(geometry, modelBounds, eye);
     counts.holed = surfaces.holed();
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -122,6 +127,17 @@ CountSettings FrameRenderer::Impl::findCasters(const Eye& eye, bool halve) {
     }
     geometry.setWhole(whole);
     return counts;
+}
+
+void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights) {
+    for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
+        std::uint32_t& bits = silhouettes.hostCasters[i].outOfReach;
+        bits = 0;
+        for (std::uint32_t l = 0; l < group.count && settings.skipOutOfReach; ++l) {
+            const PlacedLight& light = *lights[group.first + l];
+            bits |= std::uint32_t(outOfReach(boxes[i], light.position, light.light.rangeMetres)) << l;
+        }
+    }
 }
 
 void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights,
@@ -142,9 +158,10 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
             // z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
+        markOutOfReach(group, lights);
         findSilhouettes(*technique, geometry, group, byFail, outputs.figures, silhouettes);
         if (!settings.shadows || group.count == 0) continue;
-        const std::vector<std::uint32_t> layers = layerBound.find(geometry, group, geometry.radiusMetres());
+        const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
             const std::vector<CountPlan> plans = planCounts(silhouettes, group, l, layers[l], countSettings);
@@ -164,19 +181,22 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
 void FrameRenderer::Impl::recordLight(const std::string& id, const LightGroup& group, std::uint32_t l,
                                       const std::vector<CountPlan>& plans, int frame, Statistics& statistics) {
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
-    double quads = 0, eyeConstant = 0, byFail = 0;
+    double quads = 0, eyeConstant = 0, byFail = 0, skipped = 0;
     for (int list = 0; list < LIST_COUNT; ++list) {
         quads += summary.lists[list].count / 6;
         eyeConstant += summary.eyeInside[list];
     }
-    for (const gpu::CasterState& caster : silhouettes.hostCasters) byFail += caster.countedByFail >> l & 1u;
-    const VolumeTotals totals =
-        countVolumeSamples(gbuffer.depthOnly, plans, volumes, geometry, silhouettes, group, l);
+    for (const gpu::CasterState& caster : silhouettes.hostCasters) {
+        byFail += caster.countedByFail >> l & 1u;
+        skipped += caster.outOfReach >> l & 1u;
+    }
+    const VolumeTotals totals = countVolumeSamples(gbuffer.depthOnly, plans, volumes, geometry, silhouettes, group, l);
     statistics.record(frame, id, "triangles.facing", summary.litTriangles);
     statistics.record(frame, id, "edges.silhouette", summary.silhouetteEdges);
     statistics.record(frame, id, "quads", quads);
     statistics.record(frame, id, "eye.constant", eyeConstant);
     statistics.record(frame, id, "casters.zfail", byFail);
+    statistics.record(frame, id, "casters.outOfReach", skipped);
     statistics.record(frame, id, "overdraw.fragments", double(totals.fragments));
     statistics.record(frame, id, "overdraw.updates", double(totals.updates));
 }

@@ -22,7 +22,9 @@ struct FrameSettings {
     std::string silhouette = "compute";
     CountTechnique count = CountTechnique::ZPass;
     bool eyeConstant = true;
+    // Skips: without effect on any pixel.
     bool halveEvenComponents = true;  // see shadow/counts.h; off whenever counts are asked for
+    bool skipOutOfReach = true;       // see shadow/bounds.h
     glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
     bool profile = false;
 };
@@ -31,7 +33,7 @@ struct FrameSettings {
 struct FrameOutputs {
     bool geometry = false;  // normals and depth
     bool shadows = false, counts = false, overdraw = false;
-    bool figures = false;   // counters into Statistics
+    bool figures = false;  // counters into Statistics
 };
 
 /// Planes are width x height, rows from the top.

@@ -28,7 +28,9 @@ namespace {
 
 constexpr const char* kHint = "umbrage needs EGL with OpenGL 4.5; on Debian: apt-get install libegl1 libgl1-mesa-dri";
 
-std::string eglErrorText(const char* what) { return fmt::format("{} failed (EGL error 0x{:x})", what, eglGetError()); }
+std::string eglErrorText(const char* what) {
+    return fmt::format("{} failed (EGL error 0x{:x})", what, eglGetError());
+}
 
 std::string glText(GLenum name) {
     const auto* text = reinterpret_cast<const char*>(glGetString(name));
@@ -80,10 +82,9 @@ Context::Impl::Impl(EGLDeviceEXT device, int index) {
         return;
     }
     eglBindAPI(EGL_OPENGL_API);
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,       4,
-                                 EGL_CONTEXT_MINOR_VERSION,       5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
+    const EGLint attributes[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         info.problem = eglErrorText("creating an OpenGL 4.5 core context");
@@ -124,7 +125,8 @@ Context::Context(const std::string& device) {
     for (int i = 0; i < int(devices.size()); ++i) {
         if (byIndex && i != wantedIndex) continue;
         auto opened = std::make_unique<Impl>(devices[i], i);
-        tried += fmt::format("; {}: {}", i, opened->info.problem.empty() ? opened->info.renderer : opened->info.problem);
+        tried +=
+            fmt::format("; {}: {}", i, opened->info.problem.empty() ? opened->info.renderer : opened->info.problem);
         if (!opened->info.problem.empty()) continue;
         if (device == "auto" && opened->info.software) {
             software = std::move(opened);  // a GPU later in the list is better
@@ -143,7 +145,9 @@ Context::Context(const std::string& device) {
 
 Context::~Context() = default;
 
-const DeviceInfo& Context::info() const { return impl_->info; }
+const DeviceInfo& Context::info() const {
+    return impl_->info;
+}
 
 int Context::maxSamples() const {
     GLint all = 0;

@@ -9,7 +9,7 @@
 namespace umbrage::gpu {
 
 struct DeviceInfo {
-    int index = 0;          // for --device
+    int index = 0;  // for --device
     std::string renderer, vendor, version;
     bool software = false;  // rasterises on the CPU: timer queries there mean nothing (T15)
     std::string problem;    // why it cannot be used; empty: it can
@@ -29,7 +29,7 @@ public:
     Context& operator=(const Context&) = delete;
 
     const DeviceInfo& info() const;
-    int maxSamples() const;      // of colour, integer and depth textures alike
+    int maxSamples() const;  // of colour, integer and depth textures alike
     int maxTextureSize() const;
     int subpixelBits() const;
 

@@ -7,12 +7,24 @@
 
 namespace umbrage::gpu {
 
-void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
-void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
-void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
-void deleteSampler(GLuint name) { glDeleteSamplers(1, &name); }
-void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
-void deleteQuery(GLuint name) { glDeleteQueries(1, &name); }
+void deleteBuffer(GLuint name) {
+    glDeleteBuffers(1, &name);
+}
+void deleteTexture(GLuint name) {
+    glDeleteTextures(1, &name);
+}
+void deleteFramebuffer(GLuint name) {
+    glDeleteFramebuffers(1, &name);
+}
+void deleteSampler(GLuint name) {
+    glDeleteSamplers(1, &name);
+}
+void deleteVertexArray(GLuint name) {
+    glDeleteVertexArrays(1, &name);
+}
+void deleteQuery(GLuint name) {
+    glDeleteQueries(1, &name);
+}
 
 Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data) : sizeBytes_(sizeBytes) {
     GLuint name = 0;
@@ -28,11 +40,17 @@ void Buffer::write(std::size_t offsetBytes, std::size_t sizeBytes, const void* d
     if (sizeBytes) glNamedBufferSubData(name(), GLintptr(offsetBytes), GLsizeiptr(sizeBytes), data);
 }
 
-void Buffer::clearToZero() { glClearNamedBufferData(name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr); }
+void Buffer::clearToZero() {
+    glClearNamedBufferData(name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
 
-void Buffer::bindStorage(GLuint binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name()); }
+void Buffer::bindStorage(GLuint binding) const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
+}
 
-void Buffer::bindUniform(GLuint binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name()); }
+void Buffer::bindUniform(GLuint binding) const {
+    glBindBufferBase(GL_UNIFORM_BUFFER, binding, name());
+}
 
 void Buffer::read(std::size_t offsetBytes, std::size_t sizeBytes, void* data) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -53,7 +71,8 @@ Texture::Texture(const char* label, GLenum internalFormat, const Size& size) : s
     glCreateTextures(target, 1, &name);
     handle_ = Handle<deleteTexture>(name);
     if (multisample && array) {
-        glTextureStorage3DMultisample(name, size.samples, internalFormat, size.width, size.height, size.layers, GL_TRUE);
+        glTextureStorage3DMultisample(name, size.samples, internalFormat, size.width, size.height, size.layers,
+                                      GL_TRUE);
     } else if (multisample) {
         glTextureStorage2DMultisample(name, size.samples, internalFormat, size.width, size.height, GL_TRUE);
     } else if (array) {
@@ -68,7 +87,9 @@ Texture::Texture(const char* label, GLenum internalFormat, const Size& size) : s
     glObjectLabel(GL_TEXTURE, name, -1, label);
 }
 
-void Texture::bind(GLuint unit) const { glBindTextureUnit(unit, name()); }
+void Texture::bind(GLuint unit) const {
+    glBindTextureUnit(unit, name());
+}
 
 Framebuffer::Framebuffer(const char* label, std::span<const Attachment> colors, const Texture* depthStencil) {
     GLuint name = 0;
@@ -110,7 +131,9 @@ VertexArray::VertexArray(const char* label) {
     glObjectLabel(GL_VERTEX_ARRAY, name, -1, label);
 }
 
-void VertexArray::bind() const { glBindVertexArray(name()); }
+void VertexArray::bind() const {
+    glBindVertexArray(name());
+}
 
 void VertexArray::attribute(GLuint index, const Buffer& buffer, int components, std::size_t strideBytes) {
     glEnableVertexArrayAttrib(name(), index);
@@ -127,7 +150,9 @@ void VertexArray::integerAttribute(GLuint index, const Buffer& buffer, std::size
     glVertexArrayBindingDivisor(name(), index, perInstance ? 1 : 0);
 }
 
-void VertexArray::elements(const Buffer& buffer) { glVertexArrayElementBuffer(name(), buffer.name()); }
+void VertexArray::elements(const Buffer& buffer) {
+    glVertexArrayElementBuffer(name(), buffer.name());
+}
 
 SampleQuery::SampleQuery(const char* label) {
     GLuint name = 0;
@@ -136,9 +161,13 @@ SampleQuery::SampleQuery(const char* label) {
     glObjectLabel(GL_QUERY, name, -1, label);
 }
 
-void SampleQuery::begin() const { glBeginQuery(GL_SAMPLES_PASSED, handle_.get()); }
+void SampleQuery::begin() const {
+    glBeginQuery(GL_SAMPLES_PASSED, handle_.get());
+}
 
-void SampleQuery::end() const { glEndQuery(GL_SAMPLES_PASSED); }
+void SampleQuery::end() const {
+    glEndQuery(GL_SAMPLES_PASSED);
+}
 
 std::uint64_t SampleQuery::result() const {
     GLuint64 samples = 0;
@@ -146,8 +175,12 @@ std::uint64_t SampleQuery::result() const {
     return samples;
 }
 
-DebugGroup::DebugGroup(const char* label) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, label); }
+DebugGroup::DebugGroup(const char* label) {
+    glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, label);
+}
 
-DebugGroup::~DebugGroup() { glPopDebugGroup(); }
+DebugGroup::~DebugGroup() {
+    glPopDebugGroup();
+}
 
 }  // namespace umbrage::gpu

@@ -56,7 +56,9 @@ GLuint compile(std::string_view name, Program::Defines defines) {
 
 }  // namespace
 
-void deleteProgram(GLuint name) { glDeleteProgram(name); }
+void deleteProgram(GLuint name) {
+    glDeleteProgram(name);
+}
 
 Program::Program(std::string_view computeOrVertex, std::string_view fragment, Defines defines)
     : handle_(glCreateProgram()) {

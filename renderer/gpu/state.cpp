@@ -4,14 +4,20 @@
 namespace umbrage::gpu {
 namespace {
 
-void enable(GLenum capability, bool on) { on ? glEnable(capability) : glDisable(capability); }
+void enable(GLenum capability, bool on) {
+    on ? glEnable(capability) : glDisable(capability);
+}
 
 GLenum depthFunction(Depth depth) {
     switch (depth) {
-        case Depth::Nearer: return GL_GREATER;
-        case Depth::NearerOrEqual: return GL_GEQUAL;
-        case Depth::NotNearer: return GL_LEQUAL;
-        default: return GL_ALWAYS;
+        case Depth::Nearer:
+            return GL_GREATER;
+        case Depth::NearerOrEqual:
+            return GL_GEQUAL;
+        case Depth::NotNearer:
+            return GL_LEQUAL;
+        default:
+            return GL_ALWAYS;
     }
 }
 

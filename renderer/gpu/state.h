@@ -22,8 +22,8 @@ struct Stencil {
 struct RasterState {
     Depth depth = Depth::Off;
     bool depthWrite = false;
-    bool depthClamp = false;       // off: clipped at the near plane
-    int clipDistances = 0;         // how many gl_ClipDistance are on
+    bool depthClamp = false;  // off: clipped at the near plane
+    int clipDistances = 0;    // how many gl_ClipDistance are on
     Cull cull = Cull::None;
     bool frontIsClockwise = false;
     ColorOp color = ColorOp::Off;

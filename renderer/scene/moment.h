@@ -14,9 +14,9 @@ struct Instance {
     Index node = kNone;
     Index mesh = kNone;
     glm::dmat4 worldFromModel{1.0};
-    std::vector<float> morphWeights;               // as many as the mesh has targets
-    std::vector<glm::dmat4> worldFromBindPose;     // skinned: one per joint, world * inverse bind; else empty
-    Index displacement = kNone;                    // in Scene::displacements
+    std::vector<float> morphWeights;            // as many as the mesh has targets
+    std::vector<glm::dmat4> worldFromBindPose;  // skinned: one per joint, world * inverse bind; else empty
+    Index displacement = kNone;                 // in Scene::displacements
 
     bool skinned() const { return !worldFromBindPose.empty(); }
 };
@@ -26,7 +26,7 @@ struct PlacedLight {
     Index node = kNone;
     std::string id;  // the node's path with '/' as '_' (design.md section 4), unique
     Light light;
-    glm::dvec3 position{0.0};             // world, metres
+    glm::dvec3 position{0.0};              // world, metres
     glm::dvec3 direction{0.0, 0.0, -1.0};  // world, unit, the way the light shines
 };
 

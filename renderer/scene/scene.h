@@ -93,7 +93,7 @@ struct Mesh {
     std::vector<glm::vec3> normals;
     std::vector<glm::vec4> tangents;
     std::array<std::vector<glm::vec2>, kTexCoordSetCount> texCoords;
-    std::vector<glm::vec4> colors;  // linear
+    std::vector<glm::vec4> colors;     // linear
     std::vector<glm::u16vec4> joints;  // influenceSets() entries per vertex, vertex-major
     std::vector<glm::vec4> weights;    // the same, normalised to sum 1 per vertex
     std::vector<MorphTarget> morphTargets;
@@ -107,8 +107,8 @@ struct Mesh {
 
 struct Skin {
     std::string name;
-    std::vector<Index> joints;                    // nodes
-    std::vector<glm::mat4> jointFromMesh;         // inverse bind matrices, as many as joints
+    std::vector<Index> joints;             // nodes
+    std::vector<glm::mat4> jointFromMesh;  // inverse bind matrices, as many as joints
 };
 
 enum class LightType : std::uint8_t { Point, Spot, Directional };
@@ -196,7 +196,7 @@ struct Scene {
     std::vector<Skin> skins;
     std::vector<Light> lights;
     std::vector<Camera> cameras;
-    std::vector<Node> nodes;        // parents come before children
+    std::vector<Node> nodes;  // parents come before children
     std::vector<Animation> animations;
     // What the sequence adds:
     std::vector<Animation> drivers;  // tracks of described lights and cameras; always playing

@@ -135,7 +135,8 @@ MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials
     for (const Primitive& primitive : mesh.primitives) {
         if (primitive.topology != Topology::Triangles || primitive.material == kNone) continue;
         if (materials[std::size_t(primitive.material)].alphaMode != AlphaMode::Blend) continue;
-        for (std::uint32_t i = 0; i < primitive.indexCount; i += 3) topology.casts[(primitive.firstIndex + i) / 3] = false;
+        for (std::uint32_t i = 0; i < primitive.indexCount; i += 3)
+            topology.casts[(primitive.firstIndex + i) / 3] = false;
     }
 
     const std::vector<std::uint32_t> welded = weldVertices(mesh);

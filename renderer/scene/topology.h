@@ -17,7 +17,7 @@ namespace umbrage {
 struct MeshEdge {
     static constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
-    std::uint32_t a = 0, b = 0;  // vertices of the mesh, a < b
+    std::uint32_t a = 0, b = 0;                        // vertices of the mesh, a < b
     std::uint32_t left = 0, right = kNoTriangle;       // triangles of the mesh
     bool leftReversed = false, rightReversed = false;  // the triangle runs from b to a
 };

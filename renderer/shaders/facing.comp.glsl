@@ -114,7 +114,9 @@ void main() {
 
     vec3 normal = faceNormal(a, b, c);
     uvec2 bits = uvec2(0u);
-    for (uint l = 0u; l < lightCount; ++l) {
+    uint reaching = ~casters[instance].outOfReach & (lightCount == 32u ? ~0u : (1u << lightCount) - 1u);
+    for (; reaching != 0u; reaching &= reaching - 1u) {
+        uint l = uint(findLSB(reaching));
         vec4 light = lightInModel(instance, l);
         float side = sideOf(normal, a, light);
         uint bit = 1u << l;

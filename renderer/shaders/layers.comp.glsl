@@ -12,6 +12,7 @@ layout(local_size_x = CHUNK_SIZE) in;
 layout(std430, binding = BIND_TRIANGLE_FLAGS) readonly buffer TriangleFlags { uint triangleFlags[]; };
 layout(std430, binding = BIND_TRIANGLE_CHUNKS) readonly buffer TriangleChunks { uint triangleChunks[]; };
 layout(std430, binding = BIND_LIGHTS) readonly buffer Lights { LightData lights[]; };
+layout(std430, binding = BIND_CASTERS) readonly buffer Casters { CasterState casters[]; };
 layout(std430, binding = BIND_LAYER_CELLS) buffer Cells { uint cells[]; };    // LAYER_CELLS a light
 layout(std430, binding = BIND_LAYER_BOUNDS) buffer Bounds { uint bounds[]; };  // one a light
 
@@ -81,6 +82,7 @@ void main() {
     vec3 b = viewFromModel(instance, vec4(positionOf(v.y), 1.0));
     vec3 c = viewFromModel(instance, vec4(positionOf(v.z), 1.0));
     for (uint l = 0u; l < lightCount; ++l) {
+        if ((casters[instance].outOfReach >> l & 1u) != 0u) continue;
         vec4 light = lights[firstLight + l].position;
         if (light.w != 0.0) {
             addAround(l, a - light.xyz, b - light.xyz, c - light.xyz);

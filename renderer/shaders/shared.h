@@ -78,7 +78,7 @@ using mat4 = glm::mat4;
 #define NO_TRIANGLE 0xffffffffu
 
 struct InstanceData {
-    vec4 viewFromModel[3];   // rows
+    vec4 viewFromModel[3];    // rows
     vec4 normalFromModel[3];  // rows: inverse transpose of the same; w unused
     vec4 eyeInModel;          // (eye, 1), or for an orthographic eye (direction towards the viewer, 0)
     uint vertexBase, triangleBase, triangleCount, placedTriangleBase;
@@ -114,7 +114,7 @@ struct CasterState {
     uint countedByFail;  // bits of this group's lights: counted by z-fail
     uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
     uint exposed;        // some culled back face of it is nearer than what is seen there (T1)
-    uint unused;
+    uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
 };
 
 // What the silhouette passes say about one light.
@@ -136,8 +136,8 @@ struct LightData {
 // The eye, for every pass of a frame.
 struct ViewData {
     mat4 clipFromView;
-    vec4 rayScale;      // view ray of NDC (x, y): perspective (x*rs.x, y*rs.y, -1); orthographic offset (x*rs.x, y*rs.y)
-    vec4 upInView;      // world +Y
+    vec4 rayScale;  // view ray of NDC (x, y): perspective (x*rs.x, y*rs.y, -1); orthographic offset (x*rs.x, y*rs.y)
+    vec4 upInView;  // world +Y
     vec4 ambientSky, ambientGround, background;
     float znear, zfar;  // zfar 0: infinite
     uint perspective;
@@ -146,10 +146,10 @@ struct ViewData {
 
 struct MaterialData {
     vec4 baseColor;
-    vec4 emissive;       // w: alpha cutoff, negative: no alpha test
-    vec4 factors;        // metallic, roughness, normal scale, occlusion strength
-    vec4 uvRows[10];     // five textures, two rows each: (m00, m01, m02, texture coordinate set)
-    uint textures;       // bit per texture present: base colour, metallic-roughness, normal, occlusion, emissive
+    vec4 emissive;    // w: alpha cutoff, negative: no alpha test
+    vec4 factors;     // metallic, roughness, normal scale, occlusion strength
+    vec4 uvRows[10];  // five textures, two rows each: (m00, m01, m02, texture coordinate set)
+    uint textures;    // bit per texture present: base colour, metallic-roughness, normal, occlusion, emissive
     uint flags;
     uint unused0, unused1;
 };

@@ -17,14 +17,18 @@
 namespace umbrage {
 namespace {
 
-bool isColor(int use) { return use == TEXTURE_BASE_COLOR || use == TEXTURE_EMISSIVE; }
+bool isColor(int use) {
+    return use == TEXTURE_BASE_COLOR || use == TEXTURE_EMISSIVE;
+}
 
 std::array<const TextureUse*, TEXTURE_COUNT> usesOf(const Material& m) {
     return {&m.baseColorTexture, &m.metallicRoughnessTexture, &m.normalTexture, &m.occlusionTexture,
             &m.emissiveTexture};
 }
 
-float linearFromSrgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
+float linearFromSrgb(float c) {
+    return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
 
 /// RGBA of the image's own type: grey is repeated, a missing alpha is 1.
 template <class T>
@@ -43,9 +47,12 @@ std::vector<T> toRgba(const DecodedImage& image) {
 
 GLint wrapMode(Wrap wrap) {
     switch (wrap) {
-        case Wrap::Repeat: return GL_REPEAT;
-        case Wrap::MirroredRepeat: return GL_MIRRORED_REPEAT;
-        default: return GL_CLAMP_TO_EDGE;
+        case Wrap::Repeat:
+            return GL_REPEAT;
+        case Wrap::MirroredRepeat:
+            return GL_MIRRORED_REPEAT;
+        default:
+            return GL_CLAMP_TO_EDGE;
     }
 }
 
@@ -170,7 +177,9 @@ std::uint32_t Materials::entryOf(Index material) const {
     return material == kNone ? std::uint32_t(materials_.size() - 1) : std::uint32_t(material);
 }
 
-void Materials::bindBuffer() const { buffer_.bindStorage(BIND_MATERIALS); }
+void Materials::bindBuffer() const {
+    buffer_.bindStorage(BIND_MATERIALS);
+}
 
 void Materials::bindTextures(std::uint32_t entry) const {
     for (std::size_t u = 0; u < TEXTURE_COUNT; ++u) {

@@ -65,7 +65,9 @@ std::vector<float> Resolve::read(const gpu::Framebuffer& from) const {
     return pixels;
 }
 
-std::vector<float> Resolve::readRadiance() { return read(target_); }
+std::vector<float> Resolve::readRadiance() {
+    return read(target_);
+}
 
 std::vector<float> Resolve::readNormalAndDepth(const GBuffer& gbuffer, const Masks& masks,
                                                const Silhouettes& silhouettes, const glm::mat3& worldFromView) {

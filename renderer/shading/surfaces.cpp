@@ -9,9 +9,12 @@ namespace {
 
 GLenum modeOf(Topology topology) {
     switch (topology) {
-        case Topology::Lines: return GL_LINES;
-        case Topology::Points: return GL_POINTS;
-        default: return GL_TRIANGLES;
+        case Topology::Lines:
+            return GL_LINES;
+        case Topology::Points:
+            return GL_POINTS;
+        default:
+            return GL_TRIANGLES;
     }
 }
 
@@ -38,8 +41,8 @@ Surfaces::Surfaces(const Scene& scene, const Geometry& geometry)
             Draw draw;
             draw.id = std::uint32_t(data.size());
             draw.instance = i;
-            draw.material = primitive.material == kNone ? std::uint32_t(scene.materials.size())
-                                                        : std::uint32_t(primitive.material);
+            draw.material =
+                primitive.material == kNone ? std::uint32_t(scene.materials.size()) : std::uint32_t(primitive.material);
             draw.firstIndex = geometry.firstIndex(geometry.meshOf(i), primitive);
             draw.indexCount = primitive.indexCount;
             draw.mode = modeOf(primitive.topology);
@@ -52,8 +55,8 @@ Surfaces::Surfaces(const Scene& scene, const Geometry& geometry)
             if (primitive.hasTangents) entry.flags |= DRAW_HAS_TANGENTS;
             if (primitive.hasColors) entry.flags |= DRAW_HAS_COLORS;
             data.push_back(entry);
-            const AlphaMode alpha = primitive.material == kNone ? AlphaMode::Opaque
-                                                                : scene.materials[primitive.material].alphaMode;
+            const AlphaMode alpha =
+                primitive.material == kNone ? AlphaMode::Opaque : scene.materials[primitive.material].alphaMode;
             if (alpha == AlphaMode::Blend) {
                 draw.center = centerOf(mesh, primitive);
                 blended_.push_back(draw);
@@ -136,7 +139,8 @@ void Surfaces::findExposed(const Geometry& geometry, const Materials& materials,
 void Surfaces::drawBlended(const Geometry& geometry, const Materials& materials, const Eye& eye) {
     std::vector<std::pair<double, const Draw*>> order;
     for (const Draw& draw : blended_) {
-        const glm::dvec4 center = eye.viewFromWorld * geometry.worldFromModel(draw.instance) * glm::dvec4(draw.center, 1.0);
+        const glm::dvec4 center =
+            eye.viewFromWorld * geometry.worldFromModel(draw.instance) * glm::dvec4(draw.center, 1.0);
         order.emplace_back(center.z, &draw);
     }
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -44,7 +44,7 @@ struct CountPlan {
 
 /// What plans depend on beside the silhouettes.
 struct CountSettings {
-    bool eyeConstant = true;   // off: textbook z-pass, wrong with the eye in a volume
+    bool eyeConstant = true;  // off: textbook z-pass, wrong with the eye in a volume
     bool perspective = true;
     std::vector<bool> nearer;  // per instance: may reach in front of the near plane
     std::vector<bool> holed;   // per instance: has alpha-masked triangles

@@ -13,9 +13,13 @@ namespace {
 constexpr std::uint32_t kBoundsWords = 6;  // per deforming instance: min xyz, max xyz, as ordered integers
 constexpr std::uint32_t kMorphFloats = 9;  // per vertex and target: position, normal, tangent
 
-std::uint32_t roundUpToChunks(std::uint32_t count) { return (count + CHUNK_SIZE - 1) / CHUNK_SIZE; }
+std::uint32_t roundUpToChunks(std::uint32_t count) {
+    return (count + CHUNK_SIZE - 1) / CHUNK_SIZE;
+}
 
-float fromOrdered(std::uint32_t u) { return std::bit_cast<float>(u & 0x80000000u ? u & 0x7fffffffu : ~u); }
+float fromOrdered(std::uint32_t u) {
+    return std::bit_cast<float>(u & 0x80000000u ? u & 0x7fffffffu : ~u);
+}
 
 gpu::Edge deviceEdge(const MeshEdge& edge, bool even) {
     gpu::Edge e{edge.a, edge.b, edge.left, edge.right};
@@ -38,13 +42,6 @@ glm::dmat3 normalMatrix(const glm::dmat3& m) {
     double largest = 0.0;
     for (int c = 0; c < 3; ++c) largest = std::max(largest, glm::length(cofactors[c]));
     return largest > 0.0 ? cofactors / largest : cofactors;
-}
-
-bool nearIn(const glm::dmat4& viewFromModel, const glm::dvec3& low, const glm::dvec3& high, double znear) {
-    // The row that gives -distance along the view axis; its maximum over the box decides.
-    double nearest = viewFromModel[3][2];
-    for (int i = 0; i < 3; ++i) nearest += std::max(viewFromModel[i][2] * low[i], viewFromModel[i][2] * high[i]);
-    return -nearest <= znear * (1.0 + 1e-6);
 }
 
 }  // namespace
@@ -72,7 +69,8 @@ Geometry::Geometry(const Scene& scene, const Moment& first) : deformProgram_("de
             std::uint32_t flags = 0;
             if (!material.doubleSided) flags |= TRIANGLE_SINGLE_SIDED;
             if (material.alphaMode == AlphaMode::Mask) flags |= TRIANGLE_HOLED;
-            for (std::uint32_t t = primitive.firstIndex / 3; t < (primitive.firstIndex + primitive.indexCount) / 3; ++t) {
+            for (std::uint32_t t = primitive.firstIndex / 3; t < (primitive.firstIndex + primitive.indexCount) / 3;
+                 ++t) {
                 triangleFlags_.push_back(flags | (topology.casts[t] ? TRIANGLE_CASTS : 0u) |
                                          (topology.even[t] ? TRIANGLE_EVEN : 0u));
             }
@@ -289,10 +287,17 @@ void Geometry::deform(const Scene& scene, const Moment& moment, const Eye& eye) 
         const Deforming& own = deforming_[i];
         const Instance& placed = moment.instances[own.instance];
         const std::uint32_t restVertex = ranges_[instanceMesh_[own.instance]].firstVertex;
-        const GLuint values[] = {restVertex,         own.firstVertex,     own.vertexCount,
-                                 own.firstJoint,     own.jointCount,      own.firstInfluence,
-                                 own.influenceSets,  own.firstMorph,      own.morphCount,
-                                 GLuint(i),          tangents_.sizeBytes() > 0 ? 1u : 0u};
+        const GLuint values[] = {restVertex,
+                                 own.firstVertex,
+                                 own.vertexCount,
+                                 own.firstJoint,
+                                 own.jointCount,
+                                 own.firstInfluence,
+                                 own.influenceSets,
+                                 own.firstMorph,
+                                 own.morphCount,
+                                 GLuint(i),
+                                 tangents_.sizeBytes() > 0 ? 1u : 0u};
         for (std::size_t k = 0; k < std::size(values); ++k) deformProgram_.uniform(GLint(k), values[k]);
         const Displacement* noise = placed.displacement == kNone ? nullptr : &scene.displacements[placed.displacement];
         deformProgram_.uniform(11, noise ? noise->amplitude : 0.0f);
@@ -325,41 +330,26 @@ void Geometry::bind() const {
     edgeChunkBuffer_.bindStorage(BIND_EDGE_CHUNKS);
 }
 
-std::vector<bool> Geometry::nearerThanNearPlane(const Eye& eye) const {
-    std::vector<glm::vec3> low(instances_.size()), high(instances_.size());
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        low[i] = ranges_[instanceMesh_[i]].boundsMin;
-        high[i] = ranges_[instanceMesh_[i]].boundsMax;
-    }
-    if (!deforming_.empty()) {
-        const std::vector<std::uint32_t> words = bounds_.readAll<std::uint32_t>();
-        for (std::size_t d = 0; d < deforming_.size(); ++d) {
-            for (int k = 0; k < 3; ++k) {
-                low[deforming_[d].instance][k] = fromOrdered(words[kBoundsWords * d + std::size_t(k)]);
-                high[deforming_[d].instance][k] = fromOrdered(words[kBoundsWords * d + 3 + std::size_t(k)]);
-            }
-        }
-    }
-    std::vector<bool> nearer(instances_.size());
-    for (std::size_t i = 0; i < instances_.size(); ++i) {
-        nearer[i] = nearIn(eye.viewFromWorld * worldFromModel_[i], low[i], high[i], eye.znear);
-    }
-    return nearer;
-}
-
-double Geometry::radiusMetres() const {
-    glm::dvec3 low(1e300), high(-1e300);
+std::vector<Geometry::Bounds> Geometry::modelBounds() const {
+    std::vector<Bounds> bounds(instances_.size());
     for (std::size_t i = 0; i < instances_.size(); ++i) {
         const MeshRange& range = ranges_[instanceMesh_[i]];
-        for (const glm::dvec3 corner : {glm::dvec3(range.boundsMin), glm::dvec3(range.boundsMax)}) {
-            const glm::dvec3 p(worldFromModel_[i] * glm::dvec4(corner, 1.0));
-            low = glm::min(low, p);
-            high = glm::max(high, p);
+        bounds[i] = {range.boundsMin, range.boundsMax};
+    }
+    if (deforming_.empty()) return bounds;
+    const std::vector<std::uint32_t> words = bounds_.readAll<std::uint32_t>();
+    for (std::size_t d = 0; d < deforming_.size(); ++d) {
+        Bounds& own = bounds[deforming_[d].instance];
+        for (int k = 0; k < 3; ++k) {
+            own.low[k] = fromOrdered(words[kBoundsWords * d + std::size_t(k)]);
+            own.high[k] = fromOrdered(words[kBoundsWords * d + 3 + std::size_t(k)]);
         }
     }
-    return instances_.empty() ? 0.0 : 0.5 * glm::length(high - low);
+    return bounds;
 }
 
-std::vector<float> Geometry::readPositions() const { return positions_.readAll<float>(); }
+std::vector<float> Geometry::readPositions() const {
+    return positions_.readAll<float>();
+}
 
 }  // namespace umbrage

@@ -47,11 +47,11 @@ public:
     std::uint32_t firstIndex(std::uint32_t mesh, const Primitive& primitive) const;
     std::uint32_t meshOf(std::size_t instance) const { return instanceMesh_[instance]; }
 
-    /// Per instance: part of it may be nearer than the near plane. Reads back the bounds of what deforms.
-    std::vector<bool> nearerThanNearPlane(const Eye& eye) const;
-
-    /// Half the diagonal of what the rigid instances span, in metres; a scale, not a bound.
-    double radiusMetres() const;
+    struct Bounds {
+        glm::dvec3 low{0.0}, high{0.0};
+    };
+    /// Per instance, in its model space, as it is now. Reads back those of what deforms.
+    std::vector<Bounds> modelBounds() const;
 
     /// All positions as the device has them now, for techniques that run on the host and for the oracle.
     std::vector<float> readPositions() const;

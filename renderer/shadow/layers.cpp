@@ -14,12 +14,13 @@ LayerBound::LayerBound(const Geometry& geometry)
     }
 }
 
-std::vector<std::uint32_t> LayerBound::find(const Geometry& geometry, const LightGroup& group,
-                                            double sceneRadiusMetres) {
+std::vector<std::uint32_t> LayerBound::find(const Geometry& geometry, const Silhouettes& silhouettes,
+                                            const LightGroup& group, double sceneRadiusMetres) {
     if (casting_ <= 255) return std::vector<std::uint32_t>(group.count, casting_);
     cells_.clearToZero();
     bounds_.clearToZero();
     geometry.bind();
+    silhouettes.casters.bindStorage(BIND_CASTERS);
     cells_.bindStorage(BIND_LAYER_CELLS);
     bounds_.bindStorage(BIND_LAYER_BOUNDS);
     program_.uniform(0, geometry.triangleChunkCount());

@@ -19,7 +19,8 @@ public:
 
     /// One bound a light of the group. The lights' buffer is bound at BIND_LIGHTS. Waits, unless there are so few
     /// triangles that their number is the bound.
-    std::vector<std::uint32_t> find(const Geometry& geometry, const LightGroup& group, double sceneRadiusMetres);
+    std::vector<std::uint32_t> find(const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group,
+                                    double sceneRadiusMetres);
 
 private:
     std::uint32_t casting_ = 0;  // triangles

@@ -22,7 +22,8 @@ void Overdraw::clear() {
     state.color = gpu::ColorOp::Replace;
     gpu::apply(state);
     const float zero[4] = {};
-    for (const Plane* plane : {&fragments_, &updates_}) glClearNamedFramebufferfv(plane->target.name(), GL_COLOR, 0, zero);
+    for (const Plane* plane : {&fragments_, &updates_})
+        glClearNamedFramebufferfv(plane->target.name(), GL_COLOR, 0, zero);
 }
 
 void Overdraw::add(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
@@ -50,9 +51,13 @@ std::vector<float> Overdraw::Plane::read() const {
     return values;
 }
 
-std::vector<float> Overdraw::readFragments() const { return fragments_.read(); }
+std::vector<float> Overdraw::readFragments() const {
+    return fragments_.read();
+}
 
-std::vector<float> Overdraw::readUpdates() const { return updates_.read(); }
+std::vector<float> Overdraw::readUpdates() const {
+    return updates_.read();
+}
 
 VolumeTotals countVolumeSamples(const gpu::Framebuffer& depthOnly, std::span<const CountPlan> plans,
                                 VolumeRenderer& renderer, const Geometry& geometry, const Silhouettes& silhouettes,

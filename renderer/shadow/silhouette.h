@@ -36,9 +36,7 @@ struct Silhouettes {
     std::vector<gpu::CasterState> hostCasters;
     std::uint32_t totalLights = 0, facingStride = 0;
 
-    std::uint32_t facingBase(const LightGroup& group) const {
-        return group.first / LIGHTS_PER_GROUP * facingStride;
-    }
+    std::uint32_t facingBase(const LightGroup& group) const { return group.first / LIGHTS_PER_GROUP * facingStride; }
     void bind() const;
 };
 

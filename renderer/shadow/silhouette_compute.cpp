@@ -37,6 +37,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<SilhouetteTechnique> makeComputeSilhouettes() { return std::make_unique<ComputeSilhouettes>(); }
+std::unique_ptr<SilhouetteTechnique> makeComputeSilhouettes() {
+    return std::make_unique<ComputeSilhouettes>();
+}
 
 }  // namespace umbrage

@@ -133,9 +133,11 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
             planes_[instance.placedTriangleBase + first + k] = {normal, -glm::dot(normal, inView)};
         }
         for (std::uint32_t l = 0; l < group.count; ++l) {
+            if (out.hostCasters[i].outOfReach >> l & 1u) continue;
             const glm::vec4 light = lightOf(out, i, group, l);
             for (std::uint32_t k = 0; k < count; ++k) {
-                const float dx = light.x - light.w * ax[k], dy = light.y - light.w * ay[k], dz = light.z - light.w * az[k];
+                const float dx = light.x - light.w * ax[k], dy = light.y - light.w * ay[k],
+                            dz = light.z - light.w * az[k];
                 side[k] = nx[k] * dx + ny[k] * dy + nz[k] * dz;
             }
             gpu::LightSummary& summary = out.hostSummaries[l];
@@ -221,6 +223,8 @@ void CpuSilhouettes::upload(const LightGroup& group, Silhouettes& out) {
 
 }  // namespace
 
-std::unique_ptr<SilhouetteTechnique> makeCpuSilhouettes() { return std::make_unique<CpuSilhouettes>(); }
+std::unique_ptr<SilhouetteTechnique> makeCpuSilhouettes() {
+    return std::make_unique<CpuSilhouettes>();
+}
 
 }  // namespace umbrage

@@ -34,11 +34,11 @@ inline Triangles ground(float halfSize, float y = 0.0f) {
 /// A unit sphere, outward; positions shared exactly.
 inline Triangles sphere(int subdivisions) {
     const float t = (1.0f + std::sqrt(5.0f)) / 2.0f;
-    const std::vector<glm::vec3> v = {{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0}, {0, -1, t}, {0, 1, t},
-                                      {0, -1, -t}, {0, 1, -t}, {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}};
-    const int faces[20][3] = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                              {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                              {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+    const std::vector<glm::vec3> v = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
+                                      {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
+    const int faces[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                              {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                              {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     Triangles triangles;
     for (const auto& f : faces) triangles.push_back({v[f[0]], v[f[1]], v[f[2]]});
     for (int s = 0; s < subdivisions; ++s) {
@@ -61,12 +61,10 @@ inline Triangles box(const glm::vec3& low, const glm::vec3& high) {
         return glm::vec3(x ? high.x : low.x, y ? high.y : low.y, z ? high.z : low.z);
     };
     Triangles triangles;
-    for (const Triangles& face : {quad(p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1)),
-                                  quad(p(1, 0, 0), p(0, 0, 0), p(0, 1, 0), p(1, 1, 0)),
-                                  quad(p(1, 0, 1), p(1, 0, 0), p(1, 1, 0), p(1, 1, 1)),
-                                  quad(p(0, 0, 0), p(0, 0, 1), p(0, 1, 1), p(0, 1, 0)),
-                                  quad(p(0, 1, 1), p(1, 1, 1), p(1, 1, 0), p(0, 1, 0)),
-                                  quad(p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1))}) {
+    for (const Triangles& face :
+         {quad(p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1)), quad(p(1, 0, 0), p(0, 0, 0), p(0, 1, 0), p(1, 1, 0)),
+          quad(p(1, 0, 1), p(1, 0, 0), p(1, 1, 0), p(1, 1, 1)), quad(p(0, 0, 0), p(0, 0, 1), p(0, 1, 1), p(0, 1, 0)),
+          quad(p(0, 1, 1), p(1, 1, 1), p(1, 1, 0), p(0, 1, 0)), quad(p(0, 0, 0), p(1, 0, 0), p(1, 0, 1), p(0, 0, 1))}) {
         triangles.insert(triangles.end(), face.begin(), face.end());
     }
     return triangles;
@@ -150,7 +148,8 @@ inline std::vector<Answer> bruteForce(const TestScene& test, const Moment& momen
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             Placed placed;
             for (std::size_t k = 0; k < 3; ++k) {
-                placed.v[k] = glm::dvec3(instance.worldFromModel * glm::dvec4(mesh.positions[mesh.indices[i + k]], 1.0));
+                placed.v[k] =
+                    glm::dvec3(instance.worldFromModel * glm::dvec4(mesh.positions[mesh.indices[i + k]], 1.0));
             }
             placed.doubleSided = mesh.primitives[0].material == 1;
             placed.mirrored = glm::determinant(glm::dmat3(instance.worldFromModel)) < 0.0;
@@ -159,7 +158,7 @@ inline std::vector<Answer> bruteForce(const TestScene& test, const Moment& momen
     }
     const Eye eye = makeEye(test.placedCamera(), width, height);
     const glm::dvec4 l = light.light.type == LightType::Directional ? glm::dvec4(-light.direction, 0.0)
-                                                                     : glm::dvec4(light.position, 1.0);
+                                                                    : glm::dvec4(light.position, 1.0);
     // Parameter along the ray where it crosses the triangle's interior, or -1.
     const auto hit = [](const Placed& t, const glm::dvec3& origin, const glm::dvec3& d) {
         const glm::dvec3 e1 = t.v[1] - t.v[0], e2 = t.v[2] - t.v[0], p = glm::cross(d, e2);
@@ -175,8 +174,10 @@ inline std::vector<Answer> bruteForce(const TestScene& test, const Moment& momen
         for (int x = 0; x < width; ++x) {
             const glm::dvec2 ndc(2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height);
             const glm::dvec2 at = ndc * eye.rayScale;
-            const glm::dvec3 origin = glm::dvec3(eye.worldFromView * (eye.perspective ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(at, 0.0, 1.0)));
-            const glm::dvec3 d = glm::dvec3(eye.worldFromView * (eye.perspective ? glm::dvec4(at, -1.0, 0.0) : glm::dvec4(0, 0, -1, 0)));
+            const glm::dvec3 origin =
+                glm::dvec3(eye.worldFromView * (eye.perspective ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(at, 0.0, 1.0)));
+            const glm::dvec3 d =
+                glm::dvec3(eye.worldFromView * (eye.perspective ? glm::dvec4(at, -1.0, 0.0) : glm::dvec4(0, 0, -1, 0)));
             Answer& answer = answers[std::size_t(y * width + x)];
             double nearest = eye.zfar > 0.0 ? eye.zfar : 1e300;
             bool seenFront = false;

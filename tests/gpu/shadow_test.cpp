@@ -223,7 +223,8 @@ TEST(Shadow, C4MoebiusStrip) {
     for (int i = 0; i < kCount; ++i) {
         const float a = 6.2831853f * float(i) / kCount;
         const glm::vec3 middle(1.5f * std::cos(a), 2.0f, 1.5f * std::sin(a));
-        const glm::vec3 across = 0.6f * (std::cos(a / 2) * glm::normalize(middle - glm::vec3(0, 2, 0)) + std::sin(a / 2) * glm::vec3(0, 1, 0));
+        const glm::vec3 across = 0.6f * (std::cos(a / 2) * glm::normalize(middle - glm::vec3(0, 2, 0)) +
+                                         std::sin(a / 2) * glm::vec3(0, 1, 0));
         rungs.push_back({middle - across, middle + across});
     }
     for (int i = 0; i < kCount; ++i) {

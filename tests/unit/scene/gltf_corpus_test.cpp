@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -45,9 +45,24 @@ std::vector<std::string> cells(const std::string& line) {
     return result;
 }
 
+// "4 spot, 1 directional": the number before the noun.
 int countBefore(const std::string& text, const std::string& noun) {
-    std::smatch match;
-    return std::regex_search(text, match, std::regex("(\\d+) " + noun)) ? std::stoi(match[1]) : 0;
+    const auto place = text.find(' ' + noun);
+    if (place == std::string::npos) {
+        return 0;
+    }
+    const auto begin = text.find_last_not_of("0123456789", place - 1);
+    return std::stoi(text.substr(begin == std::string::npos ? 0 : begin + 1));
+}
+
+// "8.6×2.4×1.3"
+std::vector<double> extents(std::string text) {
+    constexpr std::string_view kTimes = "×";
+    for (auto place = text.find(kTimes); place != std::string::npos; place = text.find(kTimes)) {
+        text.replace(place, kTimes.size(), " ");
+    }
+    std::stringstream stream(text);
+    return {std::istream_iterator<double>(stream), {}};
 }
 
 Row parseRow(const std::vector<std::string>& cell) {
@@ -62,10 +77,7 @@ Row parseRow(const std::vector<std::string>& cell) {
     row.lights = row.pointLights + row.spotLights + row.directionalLights;
     row.animations = std::stoi(cell[5]);
     row.cameras = std::stoi(cell[6]);
-    std::stringstream size(std::regex_replace(cell[9], std::regex("×"), " "));
-    for (double extent = 0.0; size >> extent;) {
-        row.size.push_back(extent);
-    }
+    row.size = extents(cell[9]);
     return row;
 }
 

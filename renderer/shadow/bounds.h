@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What can be told from casters' boxes alone, on the host, in double, on the safe side.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "shadow/eye.h"
+#include "shadow/geometry.h"
+
+namespace umbrage {
+
+/// Per instance: part of it may be nearer than the near plane (T1).
+std::vector<bool> nearerThanNearPlane(const Geometry& geometry, std::span<const Geometry::Bounds> modelBounds,
+                                      const Eye& eye);
+
+/// Boxes with the world's axes around the instances.
+std::vector<Geometry::Bounds> worldBounds(const Geometry& geometry, std::span<const Geometry::Bounds> modelBounds);
+
+/// Whether a box lies wholly out of a light's range. Whatever stands between such a light and a point in its range is
+/// in range too, so skipping the rest as caster and receiver changes no pixel (algorithms.md C3, 7).
+bool outOfReach(const Geometry::Bounds& worldBox, const glm::dvec3& lightPosition, double rangeMetres);
+
+/// Half the diagonal of what the boxes span; 0 without any.
+double radiusOf(std::span<const Geometry::Bounds> boxes);
+
+}  // namespace umbrage
