@@ -12,16 +12,13 @@ namespace {
 
 const char* typeName(LightType type) {
     switch (type) {
-        case LightType::Point: return "point";
-        case LightType::Spot: return "spot";
-        default: return "directional";
+        case LightType::Point:
+            return "point";
+        case LightType::Spot:
+            return "spot";
+        default:
+            return "directional";
     }
-}
-
-float durationOf(const Animation& animation) {
-    float seconds = 0.0f;
-    for (const Track& track : animation.tracks) seconds = std::max(seconds, track.timesSeconds.back());
-    return seconds;
 }
 
 void printNodes(const Scene& scene) {
@@ -29,9 +26,11 @@ void printNodes(const Scene& scene) {
     for (const Node& node : scene.nodes) {
         std::string what;
         if (node.mesh != kNone) what += fmt::format("  mesh {}", scene.meshes[std::size_t(node.mesh)].name);
-        if (node.skin != kNone) what += fmt::format("  skin of {} joints", scene.skins[std::size_t(node.skin)].joints.size());
+        if (node.skin != kNone)
+            what += fmt::format("  skin of {} joints", scene.skins[std::size_t(node.skin)].joints.size());
         if (node.camera != kNone) {
-            what += scene.cameras[std::size_t(node.camera)].perspective ? "  perspective camera" : "  orthographic camera";
+            what +=
+                scene.cameras[std::size_t(node.camera)].perspective ? "  perspective camera" : "  orthographic camera";
         }
         if (node.light != kNone) {
             const Light& light = scene.lights[std::size_t(node.light)];
@@ -71,17 +70,20 @@ int runInspect(const InspectOptions& options) {
         lights += node.light != kNone;
         cameras += node.camera != kNone;
     }
-    fmt::print("{}: {} triangles placed, {} lights, {} cameras, {} animations, {} materials, {} images\n", options.scene,
-               placed, lights, cameras, scene.animations.size(), scene.materials.size(), scene.images.size());
+    fmt::print("{}: {} triangles placed, {} lights, {} cameras, {} animations, {} materials, {} images\n",
+               options.scene, placed, lights, cameras, scene.animations.size(), scene.materials.size(),
+               scene.images.size());
     printNodes(scene);
     printMeshes(scene);
     fmt::print("animations: {}\n", scene.animations.size());
     for (std::size_t i = 0; i < scene.animations.size(); ++i) {
         const Animation& animation = scene.animations[i];
-        fmt::print("  {} {}: {:g} s, {} channels\n", i, animation.name, durationOf(animation), animation.channels.size());
+        fmt::print("  {} {}: {:g} s, {} channels\n", i, animation.name, animation.durationSeconds(),
+                   animation.channels.size());
     }
     fmt::print("extensions used: {}\n", fmt::join(scene.extensionsUsed, " "));
-    if (!scene.extensionsIgnored.empty()) fmt::print("extensions ignored: {}\n", fmt::join(scene.extensionsIgnored, " "));
+    if (!scene.extensionsIgnored.empty())
+        fmt::print("extensions ignored: {}\n", fmt::join(scene.extensionsIgnored, " "));
     for (const std::string& note : scene.notes) fmt::print("note: {}\n", note);
     return kOk;
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options.h"
 
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 #include <map>
 
 #include "exit_codes.h"
+#include "job/nearest.h"
 #include "version.h"
 
 namespace umbrage {
@@ -30,19 +32,47 @@ void addRender(CLI::App& app, RenderOptions& o) {
     app.add_option("--device", o.device, "OpenGL device: index or part of its name, see umbrage devices")
         ->capture_default_str();
     app.add_option("--ocio", o.ocio, "OpenColorIO configuration; wins over the sequence's and $OCIO");
-    app.add_option("--workers", o.workers, "threads that write files; 0 chooses")->capture_default_str();
+    app.add_option("--workers", o.workers, "threads that write files; 0 chooses")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 256))
+        ->option_text("INT [0]");
     const std::map<std::string, ProgressKind> kinds{{"auto", ProgressKind::Auto},
                                                     {"bar", ProgressKind::Bar},
                                                     {"lines", ProgressKind::Lines},
                                                     {"none", ProgressKind::None}};
-    app.add_option("--progress", o.progress, "auto, bar, lines or none")->transform(CLI::CheckedTransformer(kinds))->option_text(" ");
+    app.add_option("--progress", o.progress, "auto, bar, lines or none")
+        ->transform(CLI::Transformer(kinds))
+        ->transform(CLI::IsMember(kinds))  // comes first, for its message
+        ->option_text(" ");
     app.add_flag("--allow-external-files", o.allowExternalFiles, "let scenes name files outside their folder");
     app.add_flag("--dry-run", o.dryRun, "check everything, print the files that would be written, render nothing");
 }
 
-bool isCommand(const CLI::App& app, const std::string& name) {
-    const std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
-    return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return c->get_name() == name; });
+/// What is wrong with the command line, in one line: the nearest name for commands and options that do not exist.
+std::string usageMessage(const CLI::App* app, const CLI::Error& error) {
+    const std::vector<CLI::App*> given = app->get_subcommands();
+    std::string message = error.what();
+    for (const std::string& word : app->remaining(true)) {
+        const bool isOption = word.starts_with('-');
+        if (!isOption && !given.empty()) continue;
+        std::vector<std::string> known;
+        if (isOption) {
+            for (const CLI::App* owner : {app, given.empty() ? app : given.front()}) {
+                for (const CLI::Option* option : owner->get_options()) {
+                    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+                }
+            }
+        } else {
+            for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; })) {
+                known.push_back(command->get_name());
+            }
+        }
+        message =
+            fmt::format("there is no {} '{}' ({})", isOption ? "option" : "command", word, hintForName(word, known));
+        break;
+    }
+    const std::string command = given.empty() ? "" : " " + given.front()->get_name();
+    return fmt::format("umbrage: error: {}\numbrage{} --help says more\n", message, command);
 }
 
 }  // namespace
@@ -58,6 +88,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     app.require_subcommand(1);
     app.add_flag("-q,--quiet", options.quiet, "only errors");
     app.fallthrough();
+    app.failure_message(usageMessage);
     CLI::App* renderCommand = app.add_subcommand("render", "render a sequence or a scene");
     addRender(*renderCommand, render);
     CLI::App* inspectCommand = app.add_subcommand("inspect", "say what is in a scene");
@@ -70,14 +101,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        const bool isHelp = error.get_exit_code() == int(CLI::ExitCodes::Success);
-        if (!isHelp && argc > 1 && argv[1][0] != '-' && !isCommand(app, argv[1])) {
-            std::cerr << "umbrage: there is no command '" << argv[1]
-                      << "'; commands are render, inspect, devices and schema (umbrage --help)\n";
-        } else {
-            app.exit(error, std::cout, std::cerr);
-        }
-        exitCode = isHelp ? kOk : kUsage;
+        exitCode = app.exit(error, std::cout, std::cerr) == 0 ? kOk : kUsage;
         return std::nullopt;
     }
     if (*renderCommand) options.render = render;

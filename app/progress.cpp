@@ -14,7 +14,8 @@ constexpr int kBarCells = 30;
 
 std::string clockText(double seconds) {
     const long s = std::lround(seconds);
-    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60) : fmt::format("{}:{:02}", s / 60, s % 60);
+    return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60)
+                     : fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
 }  // namespace
@@ -24,7 +25,9 @@ Progress::Progress(ProgressKind kind, bool quiet) : kind_(kind), quiet_(quiet) {
     if (quiet_) kind_ = ProgressKind::None;
 }
 
-Progress::~Progress() { clearBar(); }
+Progress::~Progress() {
+    clearBar();
+}
 
 void Progress::note(const std::string& text) {
     if (quiet_) return;

@@ -32,25 +32,45 @@ bool isScene(const std::filesystem::path& file) {
     return extension == ".gltf" || extension == ".glb";
 }
 
+/// A YAML string, whatever is in it.
+std::string quoted(const std::string& text) {
+    std::string made = "'";
+    for (const char c : text) made.append(c == '\'' ? 2 : 1, c);
+    return made + "'";
+}
+
+/// WIDTHxHEIGHT as the sequence file has it.
+std::string sizeList(const std::string& text) {
+    const std::size_t x = text.find('x');
+    const std::string width = text.substr(0, x), height = x == std::string::npos ? "" : text.substr(x + 1);
+    for (const std::string& number : {width, height}) {
+        if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) {
+            throw Error(ErrorKind::Usage, "--size", fmt::format("\"{}\" is not WIDTHxHEIGHT", text),
+                        "two numbers of pixels, such as 640x480");
+        }
+    }
+    return fmt::format("[{}, {}]", width, height);
+}
+
 /// Command-line options as the values of the sequence file that they override.
 JobOverrides overridesOf(const RenderOptions& options) {
     JobOverrides overrides;
-    if (!options.frames.empty() && options.frames != "all") {
-        overrides.set.push_back(fmt::format("time.frames='{}'", options.frames));
+    overrides.wholeAnimation = options.frames == "all";
+    if (!options.frames.empty() && !overrides.wholeAnimation) {
+        overrides.options.push_back({"--frames", "time.frames=" + quoted(options.frames)});
     }
-    if (!options.size.empty()) {
-        const std::size_t x = options.size.find('x');
-        if (x == std::string::npos) throw Error(ErrorKind::Usage, "--size", "is not WIDTHxHEIGHT", "such as 640x480");
-        overrides.set.push_back(fmt::format("image.size=[{},{}]", options.size.substr(0, x), options.size.substr(x + 1)));
-    }
-    if (!options.camera.empty()) overrides.set.push_back(fmt::format("camera='{}'", options.camera));
-    overrides.set.insert(overrides.set.end(), options.set.begin(), options.set.end());
+    if (!options.size.empty()) overrides.options.push_back({"--size", "image.size=" + sizeList(options.size)});
+    if (!options.camera.empty()) overrides.options.push_back({"--camera", "camera=" + quoted(options.camera)});
+    overrides.set = options.set;
     return overrides;
 }
 
 Job jobOf(const RenderOptions& options) {
     const std::filesystem::path input = options.input;
-    if (!std::filesystem::exists(input)) throw Error(ErrorKind::Input, options.input, "there is no such file");
+    std::error_code failed;
+    if (!std::filesystem::exists(input, failed)) {
+        throw Error(ErrorKind::Input, options.input, failed ? failed.message() : "there is no such file");
+    }
     const JobOverrides overrides = overridesOf(options);
     Job job = isScene(input) ? jobForScene(input, overrides) : readJob(input, overrides);
     if (!options.out.empty()) redirectOutput(job, options.out);
@@ -79,9 +99,11 @@ int runRender(const RenderOptions& options, bool quiet) {
     }
     const std::size_t done = summary.written.size();
     if (done > 0) {
-        fmt::print(stderr, "{} of {} frames in {}: {:.2f} s to load, {:.2f} s to render ({:.3f} s a frame), {:.0f} MiB at most\n",
-                   done, summary.requested, summary.example.parent_path().lexically_normal().string(), summary.loadSeconds,
-                   summary.renderSeconds, summary.renderSeconds / double(done), summary.peakMemoryMebibytes);
+        fmt::print(
+            stderr,
+            "{} of {} frames in {}: {:.2f} s to load, {:.2f} s to render ({:.3f} s a frame), {:.0f} MiB at most\n",
+            done, summary.requested, summary.example.parent_path().lexically_normal().string(), summary.loadSeconds,
+            summary.renderSeconds, summary.renderSeconds / double(done), summary.peakMemoryMebibytes);
     }
     if (summary.interrupted) {
         fmt::print(stderr, "umbrage: interrupted; frames still to render: --frames {}\n",

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
 #include <memory>
 
@@ -60,6 +61,19 @@ FrameSettings settingsOf(const Job& job) {
     return settings;
 }
 
+/// The job's frames. Those of a bare scene's animation begin at frame 1, and the last one is at its last key or the
+/// first after it.
+FrameRange framesOf(const Job& job, const Composition& composition) {
+    if (!job.time.wholeAnimation) return job.time.frames;
+    double seconds = 0.0;
+    for (const Index i : composition.animations) {
+        seconds = std::max(seconds, composition.scene.animations[std::size_t(i)].durationSeconds());
+    }
+    // Key times are floats: 49/24 s may come out as a little more than 49 frames.
+    const double last = std::ceil(seconds * job.time.framesPerSecond - 1e-3);
+    return FrameRange::parse(fmt::format("1-{:.0f}", std::max(1.0, last)), "--frames all");
+}
+
 /// Nothing in it changes from frame to frame of a picture that stands still.
 Metadata metadataOf(const Composition& composition, const gpu::DeviceInfo& device, const DisplayTransform& display,
                     const Moment& moment) {
@@ -72,12 +86,12 @@ Metadata metadataOf(const Composition& composition, const gpu::DeviceInfo& devic
             {"umbrage:display", display.description()}};
 }
 
-void say(const Composition& composition, const gpu::Context& context, const Job& job, const FrameOutputs& outputs,
+void say(const Composition& composition, const gpu::Context& context, const FrameOutputs& outputs,
          BatchObserver& observer) {
     for (const std::string& note : composition.scene.notes) observer.note(note);
     observer.note(fmt::format("device: {} ({})", context.info().renderer, context.info().version));
-    if (outputs.counts && settingsOf(job).halveEvenComponents) {
-        observer.note("counts are asked for, so every surface is counted (skip 'halve' is off)");
+    if (outputs.counts) {
+        observer.note("counts are asked for, so the skips that change them are off: halve, range");
     }
 }
 
@@ -88,19 +102,20 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     const Clock::time_point start = Clock::now();
     prefetchCodec();
     BatchSummary summary;
-    const std::vector<int>& frames = job.time.frames.frames();
-    summary.requested = frames.size();
     const auto timeOf = [&](int frame) { return double(frame) / job.time.framesPerSecond; };
 
     const FrameOutputs outputs = neededOutputs(job);
     const Composition composition = compose(job, gltfOptionsOf(options));
+    const FrameRange range = framesOf(job, composition);
+    const std::vector<int>& frames = range.frames();
+    summary.requested = frames.size();
     const gpu::Context context(options.device);
     const Moment first = evaluate(composition.scene, composition.animations, timeOf(frames.front()));
     FrameRenderer renderer(composition.scene, first, settingsOf(job), context);
     const std::unique_ptr<DisplayTransform> display =
         codec().displayTransform({options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display,
                                   job.color.view, job.color.exposureStops});
-    say(composition, context, job, outputs, observer);
+    say(composition, context, outputs, observer);
     observer.note(fmt::format("colour: {}", display->description()));
     const Metadata metadata = metadataOf(composition, context.info(), *display, first);
     summary.loadSeconds = secondsSince(start);
@@ -154,9 +169,9 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
 }
 
 std::vector<std::filesystem::path> checkBatch(const Job& job, const BatchOptions& options) {
-    compose(job, gltfOptionsOf(options));
+    const FrameRange range = framesOf(job, compose(job, gltfOptionsOf(options)));
     std::vector<std::filesystem::path> files;
-    for (const int frame : job.time.frames.frames()) {
+    for (const int frame : range.frames()) {
         const std::vector<std::filesystem::path> some = frameFiles(job, frame);
         files.insert(files.end(), some.begin(), some.end());
     }

@@ -92,15 +92,14 @@ struct Aov {
     std::string_view name;
     bool FrameOutputs::*needs;  // null: the radiance every frame has
     void (*write)(const Writing&, const std::string& ext);
-    bool png;  // something to look at: may be a PNG
 };
 constexpr Aov kAovWriters[] = {
-    {"beauty", nullptr, writeBeauty, true},
-    {"depth", &FrameOutputs::geometry, writeDepth, false},
-    {"normal", &FrameOutputs::geometry, writeNormal, false},
-    {"shadow", &FrameOutputs::shadows, writeShadow, false},
-    {"stencil", &FrameOutputs::counts, writeStencil, false},
-    {"overdraw", &FrameOutputs::overdraw, writeOverdraw, false},
+    {"beauty", nullptr, writeBeauty},
+    {"depth", &FrameOutputs::geometry, writeDepth},
+    {"normal", &FrameOutputs::geometry, writeNormal},
+    {"shadow", &FrameOutputs::shadows, writeShadow},
+    {"stencil", &FrameOutputs::counts, writeStencil},
+    {"overdraw", &FrameOutputs::overdraw, writeOverdraw},
 };
 
 std::vector<float> summedCounts(const Writing& w) {
@@ -153,12 +152,7 @@ template <class Visit>
 void forEachAov(const Job& job, Visit visit) {
     for (const Aov& aov : kAovWriters) {
         const auto wanted = job.output.aovs.find(std::string(aov.name));
-        if (wanted == job.output.aovs.end()) continue;
-        if (wanted->second == "png" && !aov.png) {
-            throw Error(ErrorKind::Input, fmt::format("output.aovs.{}", aov.name),
-                        "is data, which PNG would cut to [0, 1]", "write exr");
-        }
-        visit(aov, wanted->second);
+        if (wanted != job.output.aovs.end()) visit(aov, wanted->second);
     }
 }
 

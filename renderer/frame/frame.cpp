@@ -73,7 +73,7 @@ struct FrameRenderer::Impl {
 
     void uploadView(const Eye& eye, const std::vector<const PlacedLight*>& lights);
     CountSettings findCasters(const Eye& eye, bool halve);
-    void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights);
+    void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
     void castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      int frame, Statistics& statistics, FramePixels& pixels);
     void recordLight(const std::string& id, const LightGroup& group, std::uint32_t l,
@@ -129,11 +129,12 @@ CountSettings FrameRenderer::Impl::findCasters(const Eye& eye, bool halve) {
     return counts;
 }
 
-void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights) {
+void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights,
+                                         bool skip) {
     for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
         std::uint32_t& bits = silhouettes.hostCasters[i].outOfReach;
         bits = 0;
-        for (std::uint32_t l = 0; l < group.count && settings.skipOutOfReach; ++l) {
+        for (std::uint32_t l = 0; skip && l < group.count; ++l) {
             const PlacedLight& light = *lights[group.first + l];
             bits |= std::uint32_t(outOfReach(boxes[i], light.position, light.light.rangeMetres)) << l;
         }
@@ -158,7 +159,7 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
             // z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
-        markOutOfReach(group, lights);
+        markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
         findSilhouettes(*technique, geometry, group, byFail, outputs.figures, silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));

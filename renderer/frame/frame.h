@@ -22,8 +22,8 @@ struct FrameSettings {
     std::string silhouette = "compute";
     CountTechnique count = CountTechnique::ZPass;
     bool eyeConstant = true;
-    // Skips: without effect on any pixel.
-    bool halveEvenComponents = true;  // see shadow/counts.h; off whenever counts are asked for
+    // Skips: without effect on picture and masks. They change counts, so they are off whenever counts are asked for.
+    bool halveEvenComponents = true;  // see shadow/counts.h
     bool skipOutOfReach = true;       // see shadow/bounds.h
     glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
     bool profile = false;

@@ -37,9 +37,10 @@ std::string glText(GLenum name) {
     return text ? text : "";
 }
 
-/// libepoxy ends the process when libEGL is missing, so look first.
+/// libepoxy ends the process when libEGL is missing, or is a dispatcher without any driver, so look first.
 bool haveEgl() {
-    static const bool found = dlopen("libEGL.so.1", RTLD_LAZY) != nullptr;
+    static const bool found =
+        dlopen("libEGL.so.1", RTLD_LAZY) != nullptr && epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base");
     return found;
 }
 
@@ -116,7 +117,7 @@ std::vector<DeviceInfo> listDevices() {
 Context::Context(void* eglDevice, int index) : impl_(std::make_unique<Impl>(eglDevice, index)) {}
 
 Context::Context(const std::string& device) {
-    if (!haveEgl()) throw Error(ErrorKind::Device, "", "libEGL.so.1 cannot be opened", kHint);
+    if (!haveEgl()) throw Error(ErrorKind::Device, "", "there is no EGL driver", kHint);
     const std::vector<EGLDeviceEXT> devices = eglDevices();
     std::string tried;
     std::unique_ptr<Impl> software;

@@ -52,6 +52,10 @@ void Buffer::bindUniform(GLuint binding) const {
     glBindBufferBase(GL_UNIFORM_BUFFER, binding, name());
 }
 
+void Buffer::bindUniform(GLuint binding, std::size_t offsetBytes, std::size_t sizeBytes) const {
+    glBindBufferRange(GL_UNIFORM_BUFFER, binding, name(), GLintptr(offsetBytes), GLsizeiptr(sizeBytes));
+}
+
 void Buffer::read(std::size_t offsetBytes, std::size_t sizeBytes, void* data) const {
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(name(), GLintptr(offsetBytes), GLsizeiptr(sizeBytes), data);

@@ -61,6 +61,7 @@ public:
     void clearToZero();
     void bindStorage(GLuint binding) const;
     void bindUniform(GLuint binding) const;
+    void bindUniform(GLuint binding, std::size_t offsetBytes, std::size_t sizeBytes) const;
 
     /// Waits for the device.
     void read(std::size_t offsetBytes, std::size_t sizeBytes, void* data) const;

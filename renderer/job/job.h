@@ -110,6 +110,7 @@ struct Job {
     struct Time {
         double framesPerSecond = 24.0;
         FrameRange frames = FrameRange::single(1);
+        bool wholeAnimation = false;  // of a scene without YAML: instead of `frames`, as many as its animation lasts
     } time;
 
     struct ImageSettings {
@@ -153,10 +154,18 @@ struct Job {
 
 /// What the command line adds to a sequence file.
 struct JobOverrides {
-    std::vector<std::string> set;  // "image.size=[640,480]": a YAML path and a YAML value
+    /// An option with a name of its own, which errors then give as their place.
+    struct Option {
+        std::string name, assignment;
+    };
+
+    std::vector<std::string> set;   // "image.size=[640,480]": a YAML path and a YAML value
+    std::vector<Option> options{};  // applied before `set`
+    bool wholeAnimation = false;    // --frames all
 };
 
-/// @throws Error(Input) with file:line:column, or with "--set NAME" for overrides
+/// @throws Error(Input) with file:line:column, or with "--set NAME" for overrides; Error(Usage) for wholeAnimation, as
+///         only a scene without YAML leaves its frames open
 Job readJob(const std::filesystem::path& sequenceFile, const JobOverrides& overrides = {});
 
 /// The same from text; relative paths are resolved against `folder`.

@@ -7,17 +7,17 @@
 namespace umbrage {
 namespace {
 
-template <std::size_t N>
-std::vector<std::string> namesOf(const std::array<NameAndMeaning, N>& table) {
+template <class Entry, std::size_t N>
+std::vector<std::string> namesOf(const std::array<Entry, N>& table) {
     std::vector<std::string> names;
-    for (const NameAndMeaning& entry : table) names.emplace_back(entry.name);
+    for (const Entry& entry : table) names.emplace_back(entry.name);
     return names;
 }
 
-template <std::size_t N>
-std::string meaningsOf(const std::array<NameAndMeaning, N>& table) {
+template <class Entry, std::size_t N>
+std::string meaningsOf(const std::array<Entry, N>& table) {
     std::string text;
-    for (const NameAndMeaning& entry : table)
+    for (const Entry& entry : table)
         text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", entry.name, entry.meaning);
     return text;
 }
@@ -115,8 +115,9 @@ Type<Job::Shadow> shadowSettings() {
                           "How silhouette edges are found"),
             field<Shadow>("eyeConstant", boolean(), &Shadow::eyeConstant,
                           "off: plain z-pass, which is wrong with the eye in a shadow"),
-            field<Shadow>("skips", mapOf(boolean(), "a mapping {name of a skip: true or false}"), &Shadow::skips,
-                          "Turns single skips of work without effect off; all are on"),
+            field<Shadow>("skips", mapOf(boolean(), "a mapping {name of a skip: true or false}", namesOf(kSkips)),
+                          &Shadow::skips,
+                          "Turns single skips of work without effect off; all are on: " + meaningsOf(kSkips)),
         });
 }
 
@@ -146,6 +147,28 @@ Type<Job::Diagnostics> diagnosticsSettings() {
         });
 }
 
+using Aovs = std::map<std::string, std::string>;
+
+Type<Aovs> aovs() {
+    const auto asWritten = mapOf(choice({"png", "exr"}), "a mapping {AOV: png or exr}", namesOf(kAovs));
+    Type<Aovs> type = converted<Aovs>(
+        asWritten,
+        [](const Aovs& kinds, const YamlNode& node) {
+            for (const AovName& aov : kAovs) {
+                const YamlNode* kind = node.find(aov.name);
+                if (kind && !aov.isPicture && kinds.at(std::string(aov.name)) == "png")
+                    refuse(*kind, fmt::format("{} is data, which PNG would cut to [0, 1]", aov.name), "write exr");
+            }
+            return kinds;
+        },
+        [](const Aovs& kinds) { return kinds; });
+    Json properties = Json::object();
+    for (const AovName& aov : kAovs)
+        properties[aov.name] = {{"enum", aov.isPicture ? Json{"png", "exr"} : Json{"exr"}}};
+    type.schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+    return type;
+}
+
 Type<Job::Output> outputSettings() {
     using Output = Job::Output;
     return mapping<Output>(
@@ -154,8 +177,7 @@ Type<Job::Output> outputSettings() {
             field<Output>("path", text("a path with fields"), &Output::path,
                           "Name of each file, from this file's folder. Fields: {aov}, {frame} or {frame:04} (digits), "
                           "{ext}, {scene} (this file's name); {{ and }} are braces"),
-            field<Output>("aovs", mapOf(choice({"png", "exr"}), "a mapping {AOV: png or exr}", namesOf(kAovs)),
-                          &Output::aovs, "What is written: " + meaningsOf(kAovs)),
+            field<Output>("aovs", aovs(), &Output::aovs, "What is written, data only as exr: " + meaningsOf(kAovs)),
             field<Output>("pngBits", oneOf({8, 16}), &Output::pngBits, "Bits a channel of PNG files"),
             field<Output>("exrHalf", boolean(), &Output::exrHalf, "off: beauty and normal as 32-bit floats"),
         });

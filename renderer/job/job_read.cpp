@@ -30,12 +30,14 @@ Job jobFromTree(YamlNode root, const std::filesystem::path& file, const std::fil
                 const JobOverrides& overrides) {
     if (root.kind == YamlNode::Kind::Null)
         refuse(root, "the file is empty", "a sequence begins with umbrage: 1 and scene:");
+    for (const JobOverrides::Option& option : overrides.options) applyOverride(root, option.assignment, option.name);
     for (const std::string& assignment : overrides.set) applyOverride(root, assignment);
     if (root.isMapping() && !root.find("umbrage"))
         refuse(root, "the version key is missing", "add the line umbrage: 1");
 
     Job job = sequenceType().read(root, kName);
     job.file = file;
+    job.time.wholeAnimation = overrides.wholeAnimation;
     for (GltfLayer& layer : job.gltfLayers) layer.file.value = resolved(folder, layer.file.value);
     checkOutputPath(job, outputPlace(root));
     job.output.path = outputTemplateIn(folder, job.output.path);
@@ -67,12 +69,14 @@ YamlNode mappingNode(std::vector<std::pair<std::string, YamlNode>> entries, cons
 }  // namespace
 
 Job readJob(const std::filesystem::path& sequenceFile, const JobOverrides& overrides) {
-    return jobFromTree(parseYaml(contentsOf(sequenceFile), sequenceFile.string()), sequenceFile,
-                       sequenceFile.parent_path(), overrides);
+    return parseJob(contentsOf(sequenceFile), sequenceFile.string(), sequenceFile.parent_path(), overrides);
 }
 
 Job parseJob(const std::string& yaml, const std::string& name, const std::filesystem::path& folder,
              const JobOverrides& overrides) {
+    if (overrides.wholeAnimation)
+        throw Error(ErrorKind::Usage, "--frames all", "is for scenes without YAML; a sequence names its frames",
+                    "leave --frames out for all of them");
     return jobFromTree(parseYaml(yaml, name), name, folder, overrides);
 }
 

@@ -11,18 +11,28 @@ struct NameAndMeaning {
     std::string_view name, meaning;
 };
 
+struct AovName {
+    std::string_view name, meaning;
+    bool isPicture;  // may be a PNG; data would be cut to [0, 1] there
+};
+
 inline constexpr std::array kAovs = {
-    NameAndMeaning{"beauty", "the picture"},
-    NameAndMeaning{"depth", "distance along the viewing direction, metres (Z)"},
-    NameAndMeaning{"normal", "shading normal, world (N.X, N.Y, N.Z)"},
-    NameAndMeaning{"shadow", "per light: 1 where it reaches the surface"},
-    NameAndMeaning{"stencil", "per light: the shadow count"},
-    NameAndMeaning{"overdraw", "shadow-volume fragments and stencil updates per pixel"},
+    AovName{"beauty", "the picture", true},
+    AovName{"depth", "distance along the viewing direction, metres (Z)", false},
+    AovName{"normal", "shading normal, world (N.X, N.Y, N.Z)", false},
+    AovName{"shadow", "per light: 1 where it reaches the surface", false},
+    AovName{"stencil", "per light: the shadow count", false},
+    AovName{"overdraw", "shadow-volume fragments and stencil updates per pixel", false},
 };
 
 inline constexpr std::array kOverlays = {
     NameAndMeaning{"stencil", "shadow counts in false colour"},
     NameAndMeaning{"overdraw", "shadow-volume fragments as a heat map"},
+};
+
+inline constexpr std::array kSkips = {
+    NameAndMeaning{"halve", "one quad for two where every count is even"},
+    NameAndMeaning{"range", "casters out of a light's range"},
 };
 
 }  // namespace umbrage

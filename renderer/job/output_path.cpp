@@ -16,6 +16,7 @@ struct Piece {
     std::string text;
     bool isField = false;
     int digits = 0;
+    std::size_t begin = 0;  // of a field in the template
 };
 
 const std::vector<std::string> kFields = {"aov", "frame", "ext", "scene"};
@@ -56,6 +57,7 @@ std::vector<Piece> piecesOf(const std::string& path, const std::string& where) {
                             "fields are {aov}, {frame:04}, {ext}, {scene}; {{ and }} are braces");
             pieces.push_back({.text = std::exchange(literal, {})});
             pieces.push_back(fieldPiece(path.substr(i + 1, end - i - 1), where));
+            pieces.back().begin = i;
             i = end;
         }
     }
@@ -93,7 +95,10 @@ void checkOutputPath(const Job& job, const std::string& where) {
                         hint);
     };
     const std::size_t frameCount = job.time.frames.frames().size();
-    if (frameCount > 1) require("frame", fmt::format("{} frames would have this name", frameCount), "add {frame:04}");
+    if (frameCount > 1 || job.time.wholeAnimation) {
+        const std::string count = job.time.wholeAnimation ? "all" : std::to_string(frameCount);
+        require("frame", fmt::format("{} frames would have this name", count), "add {frame:04}");
+    }
     const std::size_t imageCount = job.output.aovs.size() + job.diagnostics.overlays.size();
     if (imageCount > 1) require("aov", fmt::format("{} images would have this name", imageCount), "add {aov}");
     const Piece& last = pieces.back();
@@ -112,7 +117,11 @@ std::string outputTemplateIn(const std::filesystem::path& folder, const std::str
 }
 
 void redirectOutput(Job& job, const std::filesystem::path& folder) {
-    job.output.path = outputTemplateIn(folder, std::filesystem::path(job.output.path).filename().string());
+    const std::string path = job.output.path;
+    std::size_t kept = path.rfind('/') + 1;  // 0 without one
+    for (const Piece& piece : piecesOf(path, "output.path"))
+        if (piece.isField && piece.text != "scene") kept = std::min(kept, path.rfind('/', piece.begin) + 1);
+    job.output.path = outputTemplateIn(folder, path.substr(kept));
     if (!job.statistics.path.empty())
         job.statistics.path = (folder / std::filesystem::path(job.statistics.path).filename()).string();
 }

@@ -21,7 +21,7 @@ void checkOutputPath(const Job& job, const std::string& where);
 /// Puts `folder` in front of a relative template.
 std::string outputTemplateIn(const std::filesystem::path& folder, const std::string& relativeTemplate);
 
-/// Replaces the folder part of output.path and of statistics.path: --out.
+/// Replaces the folder part of output.path, as far as it is the same for all images, and of statistics.path: --out.
 void redirectOutput(Job& job, const std::filesystem::path& folder);
 
 }  // namespace umbrage

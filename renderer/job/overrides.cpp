@@ -57,10 +57,10 @@ YamlNode& member(YamlNode& mapping, std::span<const std::string>& segments, cons
 
 }  // namespace
 
-void applyOverride(YamlNode& root, const std::string& assignment) {
+void applyOverride(YamlNode& root, const std::string& assignment, const std::string& option) {
     const auto equals = assignment.find('=');
     const std::string path = assignment.substr(0, equals);
-    const Place place{"--set " + path, 0, 0};
+    const Place place{option.empty() ? "--set " + path : option, 0, 0};
     const std::vector<std::string> all = segmentsOf(path);
     if (equals == std::string::npos || std::find(all.begin(), all.end(), "") != all.end())
         throw Error(ErrorKind::Usage, place.text(), "this is not an assignment",

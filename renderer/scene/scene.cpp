@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/scene.h"
 
+#include <algorithm>
+
 namespace umbrage {
 
 std::uint32_t Mesh::triangleCount() const {
@@ -11,6 +13,12 @@ std::uint32_t Mesh::triangleCount() const {
         }
     }
     return indexCount / 3;
+}
+
+double Animation::durationSeconds() const {
+    double seconds = 0.0;
+    for (const Track& track : tracks) seconds = std::max(seconds, double(track.timesSeconds.back()));
+    return seconds;
 }
 
 }  // namespace umbrage

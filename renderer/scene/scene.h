@@ -170,6 +170,8 @@ struct Animation {
     std::string name;
     std::vector<Track> tracks;
     std::vector<Channel> channels;
+
+    double durationSeconds() const;  // from time 0 to the last key
 };
 
 /// Time samples from the sequence file on a light of the composed scene.

@@ -6,9 +6,8 @@
 #include "shared.h"
 layout(early_fragment_tests) in;
 
-layout(std430, binding = BIND_DRAWS) readonly buffer Draws { DrawData draws[]; };
 layout(std430, binding = BIND_CASTERS) buffer Casters { CasterState casters[]; };
 
-layout(location = 5) flat in uint drawIndex;
+layout(location = 5) flat in uvec3 drawn;
 
-void main() { casters[draws[drawIndex].instance].exposed = 1u; }
+void main() { casters[drawn.x].exposed = 1u; }

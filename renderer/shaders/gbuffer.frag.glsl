@@ -19,9 +19,9 @@ layout(location = 4) out vec4 outEmissive;
 void main() {
     Surface s = surfaceHere();
 #ifdef ALPHA_TEST
-    if (s.alpha < materials[draws[drawIndex].material].emissive.w) discard;
+    if (s.alpha < material.emissive.w) discard;
 #endif
-    uint first = draws[drawIndex].firstPlacedTriangle;
+    uint first = drawn.y;
     outTriangle = first == NO_TRIANGLE ? NO_TRIANGLE : first + uint(gl_PrimitiveID);
     outBaseColor = vec4(s.lit ? s.baseColor : vec3(0.0), 1.0);
     outNormal = octahedronFromUnit(s.normal);

@@ -30,7 +30,6 @@ using mat4 = glm::mat4;
 #define BIND_QUADS 10
 #define BIND_SUMMARY 11
 #define BIND_LIGHTS 12
-#define BIND_MATERIALS 13
 #define BIND_DRAWS 14
 #define BIND_CASTERS 15
 
@@ -51,6 +50,7 @@ using mat4 = glm::mat4;
 
 // Uniform block bindings.
 #define BIND_VIEW 0
+#define BIND_MATERIAL 1
 
 // Facing words are 32 bits, so lights are counted in groups of 32.
 #define LIGHTS_PER_GROUP 32
@@ -152,6 +152,7 @@ struct MaterialData {
     uint textures;    // bit per texture present: base colour, metallic-roughness, normal, occlusion, emissive
     uint flags;
     uint unused0, unused1;
+    vec4 unused2[2];  // to 256 bytes, where a range of a uniform buffer may begin on every device
 };
 #define MATERIAL_UNLIT 1u
 #define MATERIAL_DOUBLE_SIDED 2u

@@ -20,7 +20,7 @@ layout(location = 1) out vec3 viewNormal;
 layout(location = 2) out vec4 viewTangent;
 layout(location = 3) out vec4 texCoords;
 layout(location = 4) out vec4 vertexColor;
-layout(location = 5) flat out uint drawIndex;
+layout(location = 5) flat out uvec3 drawn;  // instance, first placed triangle, flags
 
 out gl_PerVertex {
     invariant vec4 gl_Position;
@@ -39,7 +39,8 @@ void main() {
                       dot(instances[instance].normalFromModel[1].xyz, normal),
                       dot(instances[instance].normalFromModel[2].xyz, normal));
     viewTangent = vec4(viewFromModel(instance, vec4(tangent.xyz, 0.0)), tangent.w);
+    if ((instances[instance].flags & INSTANCE_MIRRORED) != 0u) viewTangent.w = -viewTangent.w;
     texCoords = vec4(texCoord0, texCoord1);
     vertexColor = color;
-    drawIndex = draw;
+    drawn = uvec3(instance, draws[draw].firstPlacedTriangle, draws[draw].flags);
 }

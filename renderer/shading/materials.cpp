@@ -123,6 +123,8 @@ std::map<Index, DecodedImage> decodeAll(const Scene& scene, const std::set<Index
     return {std::make_move_iterator(decoded.begin()), std::make_move_iterator(decoded.end())};
 }
 
+static_assert(sizeof(gpu::MaterialData) % 256 == 0);  // the coarsest alignment of uniform buffer offsets GL allows
+
 gpu::MaterialData deviceMaterial(const Material& m) {
     gpu::MaterialData data{};
     data.baseColor = m.baseColor;

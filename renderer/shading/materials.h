@@ -18,8 +18,8 @@ public:
     std::uint32_t entryOf(Index material) const;
     const Material& material(std::uint32_t entry) const { return materials_[entry]; }
 
-    void bindBuffer() const;
-    void bindTextures(std::uint32_t entry) const;
+    /// Factors and textures, for the fragments of a primitive.
+    void bind(std::uint32_t entry) const;
 
 private:
     std::vector<Material> materials_;  // the scene's, then glTF's default

@@ -88,7 +88,6 @@ void Surfaces::submit(const Draw& draw, const Geometry& geometry) const {
 
 void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, const Eye& eye) {
     geometry.bind();
-    materials.bindBuffer();
     drawBuffer_.bindStorage(BIND_DRAWS);
     vertexArray_.bind();
     gpu::RasterState state;
@@ -102,7 +101,7 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, 
         const bool isMirrored = mirrored(draw, geometry);
         if (draw.material != bound || isMirrored != boundMirrored) {
             const Material& material = materials.material(draw.material);
-            if (draw.material != bound) materials.bindTextures(draw.material);
+            if (draw.material != bound) materials.bind(draw.material);
             state.cull = material.doubleSided ? gpu::Cull::None : gpu::Cull::Back;
             state.frontIsClockwise = isMirrored;
             gpu::apply(state);
@@ -145,7 +144,6 @@ void Surfaces::drawBlended(const Geometry& geometry, const Materials& materials,
     }
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     geometry.bind();
-    materials.bindBuffer();
     drawBuffer_.bindStorage(BIND_DRAWS);
     vertexArray_.bind();
     blendedProgram_.use();
@@ -154,7 +152,7 @@ void Surfaces::drawBlended(const Geometry& geometry, const Materials& materials,
     state.color = gpu::ColorOp::Over;
     state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
     for (const auto& [z, draw] : order) {
-        materials.bindTextures(draw->material);
+        materials.bind(draw->material);
         state.frontIsClockwise = mirrored(*draw, geometry);
         for (const gpu::Cull cull : {gpu::Cull::Front, gpu::Cull::Back}) {
             if (cull == gpu::Cull::Front && !materials.material(draw->material).doubleSided) continue;

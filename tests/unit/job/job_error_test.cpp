@@ -104,6 +104,7 @@ TEST(JobErrors, NamesFromAListGiveTheNearest) {
     expectRefused(sequence("output: {aovs: {beuty: png}}\n"),
                   {"s.yaml:3:17", "unknown name \"beuty\" in aovs", "\"beauty\""});
     expectRefused(sequence("output: {aovs: {beauty: jpg}}\n"), {"s.yaml:3:25", "one of png, exr, not \"jpg\"", "png"});
+    expectRefused(sequence("shadow: {skips: {hlave: off}}\n"), {"s.yaml:3:18", "unknown name \"hlave\"", "\"halve\""});
     expectRefused(sequence("diagnostics: {overlays: [stencils]}\n"),
                   {"s.yaml:3:26", "not \"stencils\"", "\"stencil\""});
 }

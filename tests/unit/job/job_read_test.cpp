@@ -34,7 +34,7 @@ time: {fps: 24, frames: 1-48}
 image: {size: [800, 600], samples: 4, background: [.1, .2, .3], ambient: {sky: [1, 1, 1], ground: [0, 0.5, 0]}}
 displace:
   "/Courtyard/Orb": {kind: noise, amplitude: .1, frequency: 2, speed: -1}
-shadow: {count: z-pass, silhouette: cpu, enabled: true, eyeConstant: off, skips: {far-light: no}}
+shadow: {count: z-pass, silhouette: cpu, enabled: true, eyeConstant: off, skips: {range: no}}
 color: {config: ../colour/config.ocio, display: Rec.1886, view: Untonemapped, exposure: -1.5}
 diagnostics: {overlays: [stencil, overdraw], profile: yes}
 output:
@@ -114,7 +114,7 @@ TEST(Job, ReadsSettings) {
     EXPECT_EQ(job.shadow.count, "z-pass");
     EXPECT_EQ(job.shadow.silhouette, "cpu");
     EXPECT_FALSE(job.shadow.eyeConstant);
-    EXPECT_THAT(job.shadow.skips, ElementsAre(Pair("far-light", false)));
+    EXPECT_THAT(job.shadow.skips, ElementsAre(Pair("range", false)));
     EXPECT_EQ(job.color.config, "/colour/config.ocio");
     EXPECT_EQ(job.color.display, "Rec.1886");
     EXPECT_EQ(job.color.view, "Untonemapped");

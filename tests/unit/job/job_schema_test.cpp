@@ -147,7 +147,7 @@ TEST(JobSchema, AgreesWithTheParser) {
         "displace: {/A: {kind: noise}, \"/B*\": {amplitude: 2}}", "time: {fps: 29.97, frames: 1-10x2}",
         "time: {frames: [1, 2-3]}", "time: {frames: \"-5--2, 7\"}", "time: {frames: 12}",
         "image: {size: [1, 2], samples: 8, background: [0, 0, 0], ambient: {sky: [1, 1, 1]}}",
-        "shadow: {enabled: off, count: auto, skips: {a: true, b: no}}", "color: {view: x, exposure: -1}",
+        "shadow: {enabled: off, count: auto, skips: {halve: true, range: no}}", "color: {view: x, exposure: -1}",
         "diagnostics: {overlays: [stencil], profile: true}",
         "output: {aovs: {depth: exr}, pngBits: 16, exrHalf: false}", "statistics: {path: a.json}",
         // refused
@@ -160,7 +160,8 @@ TEST(JobSchema, AgreesWithTheParser) {
         "image: {size: [1, 1.5]}", "image: {samples: 3}", "image: {background: 1}", "image: {ambient: {up: [0, 0, 0]}}",
         "shadow: {enabled: 1}", "shadow: {count: x}", "color: {view: 1}", "color: {exposure: x}",
         "diagnostics: {overlays: [x]}", "diagnostics: {overlays: stencil}", "output: {aovs: {x: png}}",
-        "output: {aovs: {depth: tiff}}", "output: {pngBits: 9}", "output: {path: 3}", "statistics: x"};
+        "output: {aovs: {depth: tiff}}", "output: {aovs: {depth: png}}", "shadow: {skips: {haze: no}}",
+        "output: {pngBits: 9}", "output: {path: 3}", "statistics: x"};
     int accepted = 0;
     for (const std::string& part : parts) {
         SCOPED_TRACE(part);

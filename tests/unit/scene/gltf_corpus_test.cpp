@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -56,13 +55,14 @@ int countBefore(const std::string& text, const std::string& noun) {
 }
 
 // "8.6×2.4×1.3"
-std::vector<double> extents(std::string text) {
-    constexpr std::string_view kTimes = "×";
-    for (auto place = text.find(kTimes); place != std::string::npos; place = text.find(kTimes)) {
-        text.replace(place, kTimes.size(), " ");
-    }
+std::vector<double> extents(const std::string& text) {
+    std::vector<double> result;
     std::stringstream stream(text);
-    return {std::istream_iterator<double>(stream), {}};
+    for (double extent = 0.0; stream >> extent;) {
+        result.push_back(extent);
+        stream.ignore(std::string_view("×").size());
+    }
+    return result;
 }
 
 Row parseRow(const std::vector<std::string>& cell) {

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Our own scenes: z-pass with the eye constant and z-fail are two different sums over the same volumes, so their masks
+// and counts must agree (lemma L2), but for pixels on a shadow boundary where caps and sides are rasterised apart.
+//
+// A few small frames of each on every run; all frames with UMBRAGE_ALL_FRAMES=small, or at their own size with =own.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "frame/frame.h"
+#include "gpu/context.h"
+#include "job/job.h"
+#include "scene/compose.h"
+
+namespace umbrage::test {
+namespace {
+
+struct Agreement {
+    std::uint64_t pixels = 0, maskDiffers = 0, countDiffers = 0, offBoundary = 0, skipsDiffer = 0;
+    int worstFrame = 0;
+    std::uint64_t worst = 0;
+};
+
+/// Whether some pixel around (x, y) has another value: only there may two rasterisations differ.
+template <class T>
+bool onBoundary(const std::vector<T>& plane, int width, int height, int x, int y) {
+    const T here = plane[std::size_t(y * width + x)];
+    for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v) {
+        for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) {
+            if (plane[std::size_t(v * width + u)] != here) return true;
+        }
+    }
+    return false;
+}
+
+TEST(Textbook, ZPassWithoutTheEyeConstantIsWrongInNestedVolumes) {
+    const Job job = readJob(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs/nested.yaml");
+    const Composition composition = compose(job);
+    const gpu::Context context;
+    const Moment moment = evaluate(composition.scene, composition.animations, 0.0);
+    const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
+    FrameSettings settings;
+    settings.width = 256;
+    settings.height = 192;
+    FrameOutputs outputs;
+    outputs.shadows = true;
+    Statistics statistics;
+    const FramePixels right =
+        FrameRenderer(composition.scene, moment, settings, context).render(moment, camera, outputs, 1, statistics);
+    settings.eyeConstant = false;
+    const FramePixels wrong =
+        FrameRenderer(composition.scene, moment, settings, context).render(moment, camera, outputs, 1, statistics);
+    std::size_t differs = 0;
+    for (std::size_t i = 0; i < right.lights[0].shadow.size(); ++i) {
+        differs += right.lights[0].shadow[i] != wrong.lights[0].shadow[i];
+    }
+    EXPECT_GT(differs, right.lights[0].shadow.size() / 10);
+}
+
+class Sequence : public testing::TestWithParam<std::string> {};
+
+TEST_P(Sequence, PassAndFailAgree) {
+    const char* allFrames = std::getenv("UMBRAGE_ALL_FRAMES");
+    const bool ownSize = allFrames && std::string(allFrames) == "own";
+    Job job = readJob(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs" / (GetParam() + ".yaml"));
+    if (!ownSize) {
+        job.image.width = 256;
+        job.image.height = 192;
+    }
+    if (!allFrames) {
+        const std::vector<int>& frames = job.time.frames.frames();
+        const int last = frames.back();
+        job.time.frames = frames.size() > 1 ? FrameRange::parse("1," + std::to_string(last), "test") : job.time.frames;
+    }
+    const Composition composition = compose(job);
+    static const gpu::Context context;
+    const auto momentOf = [&](int frame) {
+        return evaluate(composition.scene, composition.animations, frame / job.time.framesPerSecond);
+    };
+    FrameSettings settings;
+    settings.width = job.image.width;
+    settings.height = job.image.height;
+    const Moment first = momentOf(job.time.frames.frames().front());
+    settings.count = CountTechnique::ZPass;
+    FrameRenderer pass(composition.scene, first, settings, context);
+    settings.count = CountTechnique::ZFail;
+    FrameRenderer fail(composition.scene, first, settings, context);
+    FrameOutputs outputs;
+    outputs.shadows = outputs.counts = true;
+
+    Agreement total;
+    for (const int frame : job.time.frames.frames()) {
+        const Moment moment = momentOf(frame);
+        const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
+        Statistics statistics;
+        const FramePixels a = pass.render(moment, camera, outputs, frame, statistics);
+        const FramePixels b = fail.render(moment, camera, outputs, frame, statistics);
+        FrameOutputs masksOnly;
+        masksOnly.shadows = true;  // with all skips
+        const FramePixels c = pass.render(moment, camera, masksOnly, frame, statistics);
+        ASSERT_EQ(a.lights.size(), b.lights.size());
+        total.skipsDiffer += a.radiance != c.radiance;
+        std::uint64_t differs = 0;
+        for (std::size_t l = 0; l < a.lights.size(); ++l) {
+            for (int y = 0; y < settings.height; ++y) {
+                for (int x = 0; x < settings.width; ++x) {
+                    const auto i = std::size_t(y * settings.width + x);
+                    ++total.pixels;
+                    total.skipsDiffer += a.lights[l].shadow[i] != c.lights[l].shadow[i];
+                    total.countDiffers += a.lights[l].counts[i] != b.lights[l].counts[i];
+                    if (a.lights[l].shadow[i] == b.lights[l].shadow[i]) continue;
+                    ++differs;
+                    total.offBoundary += !onBoundary(a.lights[l].shadow, settings.width, settings.height, x, y) &&
+                                         !onBoundary(b.lights[l].shadow, settings.width, settings.height, x, y);
+                }
+            }
+        }
+        total.maskDiffers += differs;
+        if (differs > total.worst) {
+            total.worst = differs;
+            total.worstFrame = frame;
+        }
+    }
+    std::printf("%s: %zu frames, %llu pixels x lights: masks differ in %llu, off boundaries %llu, counts in %llu; "
+                "worst frame %d with %llu\n",
+                GetParam().c_str(), job.time.frames.frames().size(), static_cast<unsigned long long>(total.pixels),
+                static_cast<unsigned long long>(total.maskDiffers), static_cast<unsigned long long>(total.offBoundary),
+                static_cast<unsigned long long>(total.countDiffers), total.worstFrame,
+                static_cast<unsigned long long>(total.worst));
+    EXPECT_EQ(total.offBoundary, 0u);
+    EXPECT_EQ(total.skipsDiffer, 0u) << "skips must not change a bit of picture or masks";
+    EXPECT_LE(double(total.maskDiffers), 1e-5 * double(total.pixels));
+}
+
+std::vector<std::string> sequences() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs")) {
+        if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Own, Sequence, testing::ValuesIn(sequences()), [](const auto& test) {
+    std::string name = test.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace umbrage::test
