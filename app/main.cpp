@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 
 #include "commands.h"
 #include "exit_codes.h"
 
+namespace umbrage {
+namespace {
+
+int run(int argc, char** argv) {
+    int exitCode = kOk;
+    const std::optional<Options> options = parseOptions(argc, argv, exitCode);
+    if (!options) return exitCode;
+    if (options->render) return runRender(*options->render, options->quiet);
+    if (options->inspect) return runInspect(*options->inspect);
+    if (options->schema) return runSchema(*options->schema);
+    return runDevices();
+}
+
+}  // namespace
+}  // namespace umbrage
+
 int main(int argc, char** argv) {
     using namespace umbrage;
     try {
-        int exitCode = kOk;
-        const std::optional<Options> options = parseOptions(argc, argv, exitCode);
-        if (!options) return exitCode;
-        if (options->render) return runRender(*options->render, options->quiet);
-        if (options->inspect) return runInspect(*options->inspect);
-        if (options->schema) return runSchema(*options->schema);
-        return runDevices();
+        const int exitCode = run(argc, argv);
+        if (std::fflush(stdout) != 0) throw Error(ErrorKind::Output, "stdout", std::strerror(errno));
+        return exitCode;
     } catch (const Error& error) {
         std::fprintf(stderr, "umbrage: error: %s\n", error.what());
         return exitCodeOf(error.kind());

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <map>
 
@@ -48,31 +49,44 @@ void addRender(CLI::App& app, RenderOptions& o) {
     app.add_flag("--dry-run", o.dryRun, "check everything, print the files that would be written, render nothing");
 }
 
-/// What is wrong with the command line, in one line: the nearest name for commands and options that do not exist.
-std::string usageMessage(const CLI::App* app, const CLI::Error& error) {
-    const std::vector<CLI::App*> given = app->get_subcommands();
-    std::string message = error.what();
-    for (const std::string& word : app->remaining(true)) {
-        const bool isOption = word.starts_with('-');
-        if (!isOption && !given.empty()) continue;
-        std::vector<std::string> known;
-        if (isOption) {
-            for (const CLI::App* owner : {app, given.empty() ? app : given.front()}) {
-                for (const CLI::Option* option : owner->get_options()) {
-                    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-                }
-            }
-        } else {
-            for (const CLI::App* command : app->get_subcommands([](const CLI::App*) { return true; })) {
-                known.push_back(command->get_name());
-            }
-        }
-        message =
-            fmt::format("there is no {} '{}' ({})", isOption ? "option" : "command", word, hintForName(word, known));
-        break;
+std::vector<std::string> commandsOf(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
     }
-    const std::string command = given.empty() ? "" : " " + given.front()->get_name();
-    return fmt::format("umbrage: error: {}\numbrage{} --help says more\n", message, command);
+    return names;
+}
+
+std::vector<std::string> optionsOf(const CLI::App& app, const std::vector<CLI::App*>& commands) {
+    std::vector<std::string> names;
+    std::vector<const CLI::App*> owners(commands.begin(), commands.end());
+    owners.push_back(&app);
+    for (const CLI::App* owner : owners) {
+        for (const CLI::Option* option : owner->get_options()) {
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        }
+    }
+    return names;
+}
+
+/// What is wrong with the command line; the nearest name for a command or an option that does not exist.
+std::string usageMessage(const CLI::App* app, const CLI::Error& error) {
+    const auto unknown = [](const char* what, const std::string& name, const std::vector<std::string>& known) {
+        return fmt::format("there is no {} '{}' ({})", what, name, hintForName(name, known));
+    };
+    const std::vector<CLI::App*> given = app->get_subcommands();
+    const std::vector<std::string> words = app->remaining(true);
+    const auto option =
+        std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with('-'); });
+    std::string message = error.what();
+    if (option != words.end()) {
+        message = unknown("option", *option, optionsOf(*app, given));
+    } else if (given.empty()) {
+        message = words.empty() ? fmt::format("a command is missing ({})", hintForName("", commandsOf(*app)))
+                                : unknown("command", words.front(), commandsOf(*app));
+    }
+    return fmt::format("umbrage: error: {}\numbrage {}--help says more\n", message,
+                       given.empty() ? "" : given.front()->get_name() + " ");
 }
 
 }  // namespace

@@ -77,6 +77,16 @@ Job jobOf(const RenderOptions& options) {
     return job;
 }
 
+void printSummary(const BatchSummary& summary) {
+    const std::filesystem::path folder = summary.example.parent_path().lexically_normal();
+    const std::string where = summary.example.empty() ? "no folder" : folder.empty() ? "." : folder.string();
+    const std::size_t done = summary.written.size();
+    fmt::print(stderr,
+               "{} of {} frames in {}: {:.2f} s to load, {:.2f} s to render ({:.3f} s a frame), {:.0f} MiB at most\n",
+               done, summary.requested, where, summary.loadSeconds, summary.renderSeconds,
+               summary.renderSeconds / double(done), summary.peakMemoryMebibytes);
+}
+
 }  // namespace
 
 int runRender(const RenderOptions& options, bool quiet) {
@@ -98,13 +108,7 @@ int runRender(const RenderOptions& options, bool quiet) {
         summary = runBatch(job, batch, progress, interrupted);
     }
     const std::size_t done = summary.written.size();
-    if (done > 0) {
-        fmt::print(
-            stderr,
-            "{} of {} frames in {}: {:.2f} s to load, {:.2f} s to render ({:.3f} s a frame), {:.0f} MiB at most\n",
-            done, summary.requested, summary.example.parent_path().lexically_normal().string(), summary.loadSeconds,
-            summary.renderSeconds, summary.renderSeconds / double(done), summary.peakMemoryMebibytes);
-    }
+    if (done > 0 && !quiet) printSummary(summary);
     if (summary.interrupted) {
         fmt::print(stderr, "umbrage: interrupted; frames still to render: --frames {}\n",
                    FrameRange::textOf(summary.missing));

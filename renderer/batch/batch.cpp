@@ -116,6 +116,9 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
         codec().displayTransform({options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display,
                                   job.color.view, job.color.exposureStops});
     say(composition, context, outputs, observer);
+    if (job.time.wholeAnimation && composition.animations.empty()) {
+        observer.note("the scene has no animation, so all its frames are frame 1");
+    }
     observer.note(fmt::format("colour: {}", display->description()));
     const Metadata metadata = metadataOf(composition, context.info(), *display, first);
     summary.loadSeconds = secondsSince(start);
@@ -155,7 +158,10 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     summary.interrupted = interrupted && !summary.missing.empty();
     summary.renderSeconds = secondsSince(renderStart);
     summary.peakMemoryMebibytes = peakHostMemoryMebibytes();
-    if (!summary.written.empty()) summary.example = frameFiles(job, summary.written.front()).front();
+    if (!summary.written.empty()) {
+        const std::vector<std::filesystem::path> files = frameFiles(job, summary.written.front());
+        if (!files.empty()) summary.example = files.front();
+    }
     if (!job.statistics.path.empty()) {
         const bool csv = std::filesystem::path(job.statistics.path).extension() == ".csv";
         const StatisticsHeader header{

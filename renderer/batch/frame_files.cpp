@@ -20,6 +20,7 @@ struct Writing {
     const FramePixels& pixels;
     const DisplayTransform& display;
     const Metadata& metadata;
+    std::vector<float> displayed;  // RGBA display values, where a file shows them
 
     int width() const { return job.image.width; }
     int height() const { return job.image.height; }
@@ -34,12 +35,6 @@ Channel2D channel(std::string name, PixelType type, const float* pixels, int str
     return {std::move(name), type, pixels, stride};
 }
 
-std::vector<float> displayed(const Writing& w) {
-    std::vector<float> rgba = w.pixels.radiance;
-    w.display.apply(rgba);
-    return rgba;
-}
-
 void writeBeauty(const Writing& w, const std::string& ext) {
     if (ext == "exr") {
         const PixelType type = w.job.output.exrHalf ? PixelType::Half : PixelType::Float;
@@ -48,9 +43,8 @@ void writeBeauty(const Writing& w, const std::string& ext) {
                 {channel("R", type, rgba, 4), channel("G", type, rgba + 1, 4), channel("B", type, rgba + 2, 4)});
         return;
     }
-    const std::vector<float> rgba = displayed(w);
     const PixelType type = w.job.output.pngBits == 16 ? PixelType::UInt16 : PixelType::UInt8;
-    const float* p = rgba.data();
+    const float* p = w.displayed.data();
     w.write("beauty", ext, {channel("R", type, p, 4), channel("G", type, p + 1, 4), channel("B", type, p + 2, 4)});
 }
 
@@ -123,8 +117,8 @@ struct Overlay {
     float scaleMaximum;
 };
 constexpr Overlay kOverlayWriters[] = {
-    {"stencil", &FrameOutputs::counts, summedCounts, "shadow counts, all lights", 16.0f},
-    {"overdraw", &FrameOutputs::overdraw, volumeFragments, "shadow volume fragments, all lights", 64.0f},
+    {"stencil", &FrameOutputs::counts, summedCounts, "shadow counts, all lights", 48.0f},
+    {"overdraw", &FrameOutputs::overdraw, volumeFragments, "shadow volume fragments, all lights", 256.0f},
 };
 
 std::string overlayFileName(std::string_view overlay) {
@@ -132,20 +126,16 @@ std::string overlayFileName(std::string_view overlay) {
 }
 
 void writeOverlay(const Writing& w, const Overlay& overlay) {
-    const std::vector<float> rgba = displayed(w);
     std::vector<std::uint8_t> beauty;
     beauty.reserve(3 * w.pixelCount());
-    for (std::size_t i = 0; i < rgba.size(); ++i) {
-        if (i % 4 != 3) beauty.push_back(std::uint8_t(std::lround(std::clamp(rgba[i], 0.0f, 1.0f) * 255.0f)));
+    for (std::size_t i = 0; i < w.displayed.size(); ++i) {
+        if (i % 4 != 3) beauty.push_back(std::uint8_t(std::lround(std::clamp(w.displayed[i], 0.0f, 1.0f) * 255.0f)));
     }
     const OverlayStyle style{std::string(overlay.title), overlay.scaleMaximum};
     const std::vector<std::uint8_t> rgb = drawOverlay(w.width(), w.height(), overlay.counts(w), beauty, style);
-    std::vector<float> values(rgb.size());
-    std::transform(rgb.begin(), rgb.end(), values.begin(), [](std::uint8_t v) { return float(v) / 255.0f; });
-    const float* p = values.data();
+    const std::uint8_t* p = rgb.data();
     w.write(overlayFileName(overlay.name), "png",
-            {channel("R", PixelType::UInt8, p, 3), channel("G", PixelType::UInt8, p + 1, 3),
-             channel("B", PixelType::UInt8, p + 2, 3)});
+            {{"R", PixelType::UInt8, p, 3}, {"G", PixelType::UInt8, p + 1, 3}, {"B", PixelType::UInt8, p + 2, 3}});
 }
 
 template <class Visit>
@@ -189,7 +179,12 @@ std::vector<std::filesystem::path> frameFiles(const Job& job, int frame) {
 
 void writeFrameFiles(const Job& job, int frame, const FramePixels& pixels, const DisplayTransform& display,
                      const Metadata& metadata) {
-    const Writing writing{job, frame, pixels, display, metadata};
+    Writing writing{job, frame, pixels, display, metadata, {}};
+    const auto beauty = job.output.aovs.find("beauty");
+    if (!job.diagnostics.overlays.empty() || (beauty != job.output.aovs.end() && beauty->second == "png")) {
+        writing.displayed = pixels.radiance;
+        display.apply(writing.displayed);
+    }
     forEachAov(job, [&](const Aov& aov, const std::string& ext) { aov.write(writing, ext); });
     forEachOverlay(job, [&](const Overlay& overlay) { writeOverlay(writing, overlay); });
 }

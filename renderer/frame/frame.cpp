@@ -76,8 +76,8 @@ struct FrameRenderer::Impl {
     void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
     void castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      int frame, Statistics& statistics, FramePixels& pixels);
-    void recordLight(const std::string& id, const LightGroup& group, std::uint32_t l,
-                     const std::vector<CountPlan>& plans, int frame, Statistics& statistics);
+    void recordLight(const std::string& id, std::uint32_t l, const VolumeTotals& totals, int frame,
+                     Statistics& statistics) const;
     void recordFrame(const Moment& moment, std::size_t shining, int frame, Statistics& statistics) const;
 };
 
@@ -173,14 +173,19 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
                 planes.counts.assign(std::size_t(settings.width) * std::size_t(settings.height), 0);
                 if (!plans.empty()) planes.counts = masks->readCounts(plans.back());
             }
-            if (outputs.overdraw) overdraw->add(plans, volumes, geometry, silhouettes, group, l);
-            if (outputs.figures) recordLight(pixels.lights[first + l].id, group, l, plans, frame, statistics);
+            VolumeTotals totals;
+            if (outputs.overdraw) {
+                totals = overdraw->add(plans, volumes, geometry, silhouettes, group, l);
+            } else if (outputs.figures) {
+                totals = countVolumeSamples(gbuffer.depthOnly, plans, volumes, geometry, silhouettes, group, l);
+            }
+            if (outputs.figures) recordLight(pixels.lights[first + l].id, l, totals, frame, statistics);
         }
     }
 }
 
-void FrameRenderer::Impl::recordLight(const std::string& id, const LightGroup& group, std::uint32_t l,
-                                      const std::vector<CountPlan>& plans, int frame, Statistics& statistics) {
+void FrameRenderer::Impl::recordLight(const std::string& id, std::uint32_t l, const VolumeTotals& totals, int frame,
+                                      Statistics& statistics) const {
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
     double quads = 0, eyeConstant = 0, byFail = 0, skipped = 0;
     for (int list = 0; list < LIST_COUNT; ++list) {
@@ -191,7 +196,6 @@ void FrameRenderer::Impl::recordLight(const std::string& id, const LightGroup& g
         byFail += caster.countedByFail >> l & 1u;
         skipped += caster.outOfReach >> l & 1u;
     }
-    const VolumeTotals totals = countVolumeSamples(gbuffer.depthOnly, plans, volumes, geometry, silhouettes, group, l);
     statistics.record(frame, id, "triangles.facing", summary.litTriangles);
     statistics.record(frame, id, "edges.silhouette", summary.silhouetteEdges);
     statistics.record(frame, id, "quads", quads);

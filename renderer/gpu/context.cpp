@@ -138,7 +138,8 @@ Context::Context(const std::string& device) {
     }
     if (!impl_ && software) impl_ = std::move(software);
     if (!impl_) {
-        throw Error(ErrorKind::Device, "", fmt::format("no usable OpenGL device for '{}'{}", device, tried), kHint);
+        throw Error(ErrorKind::Device, "", fmt::format("no usable OpenGL device for '{}'{}", device, tried),
+                    device == "auto" ? kHint : "give the index or part of the name of one that umbrage devices lists");
     }
     // Opening another device meanwhile may have made its context current, or none.
     eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context);

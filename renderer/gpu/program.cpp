@@ -37,7 +37,7 @@ std::string infoLog(GLuint name, decltype(glGetProgramiv) get, decltype(glGetPro
     return log;
 }
 
-GLuint compile(std::string_view name, Program::Defines defines) {
+GLuint compile(std::string_view name, const std::vector<std::string>& defines) {
     std::string text = "#version 450 core\n";
     for (const std::string& define : defines) text += fmt::format("#define {}\n", define);
     expand(shaderSource(std::string(name) + ".glsl"), text);
@@ -60,15 +60,16 @@ void deleteProgram(GLuint name) {
     glDeleteProgram(name);
 }
 
-Program::Program(std::string_view computeOrVertex, std::string_view fragment, Defines defines)
-    : handle_(glCreateProgram()) {
+GLuint Program::name() const {
+    if (handle_.get()) return handle_.get();
+    handle_ = Handle<deleteProgram>(glCreateProgram());
     std::string label;
-    for (const std::string_view name : {computeOrVertex, fragment}) {
-        if (name.empty()) continue;
-        const GLuint shader = compile(name, defines);
-        glAttachShader(handle_.get(), shader);
-        glDeleteShader(shader);  // lives on with the program
-        label += fmt::format("{}{}", label.empty() ? "" : " + ", name);
+    for (const std::string& shader : shaders_) {
+        if (shader.empty()) continue;
+        const GLuint compiled = compile(shader, defines_);
+        glAttachShader(handle_.get(), compiled);
+        glDeleteShader(compiled);  // lives on with the program
+        label += fmt::format("{}{}", label.empty() ? "" : " + ", shader);
     }
     glLinkProgram(handle_.get());
     GLint linked = 0;
@@ -78,6 +79,7 @@ Program::Program(std::string_view computeOrVertex, std::string_view fragment, De
                                            infoLog(handle_.get(), glGetProgramiv, glGetProgramInfoLog)));
     }
     glObjectLabel(GL_PROGRAM, handle_.get(), -1, label.c_str());
+    return handle_.get();
 }
 
 void Program::dispatchGroups(GLuint groupCount) const {

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gpu/objects.h"
 
@@ -20,20 +21,24 @@ public:
     using Defines = std::initializer_list<std::string>;  // "SAMPLES 4"
 
     Program() = default;
-    /// A compute shader, or a vertex shader with or without a fragment shader.
-    explicit Program(std::string_view computeOrVertex, std::string_view fragment = {}, Defines defines = {});
+    /// A compute shader, or a vertex shader with or without a fragment shader. Compiled on first use: a run pays only
+    /// for the passes it needs.
+    explicit Program(std::string_view computeOrVertex, std::string_view fragment = {}, Defines defines = {})
+        : shaders_{std::string(computeOrVertex), std::string(fragment)}, defines_(defines) {}
 
-    GLuint name() const { return handle_.get(); }
-    void use() const { glUseProgram(handle_.get()); }
-    void uniform(GLint location, GLuint value) const { glProgramUniform1ui(handle_.get(), location, value); }
-    void uniform(GLint location, GLint value) const { glProgramUniform1i(handle_.get(), location, value); }
-    void uniform(GLint location, GLfloat value) const { glProgramUniform1f(handle_.get(), location, value); }
+    GLuint name() const;
+    void use() const { glUseProgram(name()); }
+    void uniform(GLint location, GLuint value) const { glProgramUniform1ui(name(), location, value); }
+    void uniform(GLint location, GLint value) const { glProgramUniform1i(name(), location, value); }
+    void uniform(GLint location, GLfloat value) const { glProgramUniform1f(name(), location, value); }
 
     /// Runs a compute shader over at least `count` invocations of CHUNK_SIZE-wide groups.
     void dispatchGroups(GLuint groupCount) const;
 
 private:
-    Handle<deleteProgram> handle_;
+    std::string shaders_[2];
+    std::vector<std::string> defines_;
+    mutable Handle<deleteProgram> handle_;
 };
 
 /// The text of an embedded shader. @throws std::out_of_range

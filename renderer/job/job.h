@@ -172,7 +172,8 @@ Job readJob(const std::filesystem::path& sequenceFile, const JobOverrides& overr
 Job parseJob(const std::string& yaml, const std::string& name, const std::filesystem::path& folder,
              const JobOverrides& overrides = {});
 
-/// The job of a scene file without YAML: frame 1, output into the working directory's "out" folder.
+/// The job of a scene file without YAML: frame 1 on a dark grey background, output into the working directory's "out"
+/// folder.
 Job jobForScene(const std::filesystem::path& sceneFile, const JobOverrides& overrides = {});
 
 /// The JSON Schema (draft 2020-12) of sequence files, from the same table as the parser.

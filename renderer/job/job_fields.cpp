@@ -162,10 +162,10 @@ Type<Aovs> aovs() {
             return kinds;
         },
         [](const Aovs& kinds) { return kinds; });
-    Json properties = Json::object();
+    Json patterns = Json::object();
     for (const AovName& aov : kAovs)
-        properties[aov.name] = {{"enum", aov.isPicture ? Json{"png", "exr"} : Json{"exr"}}};
-    type.schema = {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
+        patterns[fmt::format("^{}$", aov.name)] = {{"enum", aov.isPicture ? Json{"png", "exr"} : Json{"exr"}}};
+    type.schema = {{"type", "object"}, {"patternProperties", patterns}, {"additionalProperties", false}};
     return type;
 }
 

@@ -88,10 +88,14 @@ Job jobForScene(const std::filesystem::path& sceneFile, const JobOverrides& over
     YamlNode layers{.kind = YamlNode::Kind::Sequence, .place = place};
     layers.items.push_back(mappingNode({{"gltf", scalar(sceneFile.string(), false)}}, place));
     YamlNode output = mappingNode({{"path", scalar("out/{scene}/{aov}.{frame:04}.{ext}", false)}}, place);
-    return jobFromTree(
-        mappingNode({{"umbrage", scalar("1", true)}, {"scene", std::move(layers)}, {"output", std::move(output)}},
-                    place),
-        sceneFile, {}, overrides);
+    YamlNode background{.kind = YamlNode::Kind::Sequence, .place = place};
+    background.items.assign(3, scalar("0.05", true));  // dark things stand out against it, and so do bright ones
+    return jobFromTree(mappingNode({{"umbrage", scalar("1", true)},
+                                    {"scene", std::move(layers)},
+                                    {"image", mappingNode({{"background", std::move(background)}}, place)},
+                                    {"output", std::move(output)}},
+                                   place),
+                       sceneFile, {}, overrides);
 }
 
 }  // namespace umbrage

@@ -46,6 +46,10 @@ void addDisplacement(Scene& scene, const JobDisplacement& wanted) {
     }
 }
 
+glm::vec3 vectorOf(const std::array<double, 3>& value) {
+    return glm::vec3(glm::dvec3(value[0], value[1], value[2]));
+}
+
 }  // namespace
 
 Composition compose(const Job& job, const GltfOptions& options) {
@@ -57,14 +61,23 @@ Composition compose(const Job& job, const GltfOptions& options) {
     for (const JobDisplacement& displacement : job.displacements) addDisplacement(scene, displacement);
     composition.animations = chooseAnimations(scene, job);
 
-    const double firstSeconds = job.time.frames.frames().front() / job.time.framesPerSecond;
+    const double aspect = static_cast<double>(job.image.width) / job.image.height;
+    const std::vector<Moment> moments = momentsToFrame(scene, composition.animations);
     composition.cameraNode = chooseCamera(scene, job.camera);
     if (composition.cameraNode == kNone)
-        composition.cameraNode = addFramingCamera(scene, evaluate(scene, composition.animations, firstSeconds),
-                                                  static_cast<double>(job.image.width) / job.image.height);
-    if (nodesWith(scene, &Node::light).empty())
-        addDefaultLights(
-            scene, placeCamera(scene, evaluate(scene, composition.animations, firstSeconds), composition.cameraNode));
+        composition.cameraNode = addFramingCamera(scene, moments, aspect);
+    else
+        noteIfNothingIsSeen(scene, moments, composition.cameraNode, aspect);
+    composition.ambientSky = vectorOf(job.image.ambientSky);
+    composition.ambientGround = vectorOf(job.image.ambientGround);
+    if (nodesWith(scene, &Node::light).empty()) {
+        const DefaultAmbient ambient = addDefaultLights(
+            scene, placeCamera(scene, evaluate(scene, composition.animations, 0.0), composition.cameraNode));
+        if (composition.ambientSky == glm::vec3(0.0f) && composition.ambientGround == glm::vec3(0.0f)) {
+            composition.ambientSky = ambient.sky;
+            composition.ambientGround = ambient.ground;
+        }
+    }
     return composition;
 }
 

@@ -20,11 +20,12 @@ struct Composition {
     Scene scene;
     Index cameraNode = kNone;
     std::vector<Index> animations;  // which of the scene's play; its drivers always do
+    glm::vec3 ambientSky{0.0f}, ambientGround{0.0f};  // the job's, or that of the default lights
 };
 
 /// Names of animations stand for all animations of that name; indices count through the layers. A camera's index counts
-/// the nodes that have one. What the job leaves open is chosen and said in the scene's notes: a camera framed on the
-/// bounds, a rig of two lights.
+/// the nodes that have one. What the job leaves open is chosen and said in the scene's notes: a camera framed on
+/// what there is, a rig of two lights with an ambient term.
 /// @throws Error(Input) with the job's place for what the job names and the scene lacks; as loadGltf()
 Composition compose(const Job& job, const GltfOptions& options = {});
 

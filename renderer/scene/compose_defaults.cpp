@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "scene/aim.h"
@@ -13,8 +15,10 @@
 namespace umbrage {
 namespace {
 
-// White diffuse surfaces that face the key light come out at 0.95 of display white before the view's curve.
-constexpr float kKeyLux = 3.0f, kFillLux = 0.8f;
+// A white diffuse surface that faces the key light has a radiance of 1.6, which the ACES view shows as bright but not
+// as burnt out. Metals reflect nothing of a light that is not in the mirror direction, so there is an ambient term too.
+constexpr float kKeyLux = 4.0f, kFillLux = 1.0f;
+constexpr glm::vec3 kAmbientSky{0.35f}, kAmbientGround{0.15f};
 
 void addDirectional(Scene& scene, const std::string& name, float lux, const glm::dvec3& towardsLight) {
     const Index node = addNode(scene, kNone, name, freePath(scene, "/lights/" + name));
@@ -23,35 +27,107 @@ void addDirectional(Scene& scene, const std::string& name, float lux, const glm:
     scene.lights.push_back({.name = name, .type = LightType::Directional, .intensity = lux});
 }
 
+/// How far everything reaches in the directions that a view of given axes and half extents (at distance 1) cares about.
+class Reach {
+public:
+    Reach(const glm::dmat3& worldFromView, const glm::dvec2& halfExtents) : axes_(worldFromView), half_(halfExtents) {}
+
+    void add(const glm::dvec3& position) {
+        const glm::dvec3 p = position * axes_;  // coordinates along the axes
+        low_ = glm::min(low_, p);
+        high_ = glm::max(high_, p);
+        positive_ = glm::max(positive_, glm::dvec2(p) + half_ * p.z);
+        negative_ = glm::max(negative_, half_ * p.z - glm::dvec2(p));
+    }
+
+    bool empty() const { return !(low_.x <= high_.x); }
+    double size() const { return glm::length(high_ - low_); }
+    double nearest() const { return high_.z; }  // along the axis towards the viewer
+
+    /// The nearest eye that has everything in view, in coordinates along the axes.
+    glm::dvec3 eye() const {
+        const glm::dvec2 distances = (positive_ + negative_) / (2.0 * half_);
+        return {0.5 * (positive_ - negative_), std::max(distances.x, distances.y)};
+    }
+
+private:
+    static constexpr double kFar = std::numeric_limits<double>::infinity();
+    glm::dmat3 axes_;
+    glm::dvec2 half_;
+    glm::dvec3 low_{kFar}, high_{-kFar};
+    glm::dvec2 positive_{-kFar}, negative_{-kFar};
+};
+
+/// Whether all positions lie behind the eye or all beyond the same edge of the picture.
+bool seesNothing(const Scene& scene, const Moment& moment, const PlacedCamera& placed, double aspect) {
+    const Camera& camera = placed.camera;
+    const glm::dmat4 viewFromWorld = glm::inverse(placed.worldFromCamera);
+    const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yfov) : camera.ymag;
+    const glm::dvec2 half(halfHeight * aspect, halfHeight);
+    bool insideOf[6] = {};
+    for (const glm::dvec3& position : positionsOf(scene, moment)) {
+        const glm::dvec3 p(viewFromWorld * glm::dvec4(position, 1.0));
+        const glm::dvec2 edge = camera.perspective ? half * -p.z : half;
+        const bool inside[6] = {p.x < edge.x, p.x > -edge.x,       p.y < edge.y,
+                                p.y > -edge.y, -p.z > camera.znear, camera.zfar == 0.0 || -p.z < camera.zfar};
+        for (int i = 0; i < 6; ++i) insideOf[i] = insideOf[i] || inside[i];
+    }
+    return !std::all_of(std::begin(insideOf), std::end(insideOf), [](bool inside) { return inside; });
+}
+
 }  // namespace
 
-Index addFramingCamera(Scene& scene, const Moment& moment, double aspect) {
-    const auto [least, most] = boundsOf(scene, moment);
-    const glm::dvec3 center = 0.5 * (least + most);
-    const double halfDiagonal = 0.5 * glm::length(most - least);
-    const double radius = halfDiagonal > 0.0 ? halfDiagonal : 1.0;
+std::vector<Moment> momentsToFrame(const Scene& scene, std::span<const Index> animations) {
+    double seconds = 0.0;
+    for (const Index i : animations)
+        seconds = std::max(seconds, scene.animations[static_cast<std::size_t>(i)].durationSeconds());
+    for (const Animation& driver : scene.drivers) seconds = std::max(seconds, driver.durationSeconds());
+    const int intervals = seconds > 0.0 ? 8 : 0;
+    std::vector<Moment> moments;
+    for (int i = 0; i <= intervals; ++i)
+        moments.push_back(evaluate(scene, animations, intervals ? seconds * i / intervals : 0.0));
+    return moments;
+}
 
-    // The sphere around the bounds touches the narrower side of the picture, less a margin of a twentieth.
-    constexpr double kYfovDegrees = 45.0, kMargin = 1.05;
-    const double halfY = 0.5 * glm::radians(kYfovDegrees);
-    const double halfNarrow = std::min(halfY, std::atan(std::tan(halfY) * aspect));
-    const double distance = kMargin * radius / std::sin(halfNarrow);
-    const glm::dvec3 fromCenter = glm::normalize(glm::dvec3(0.55, 0.4, 0.75));  // glTF's figures face +Z
+Index addFramingCamera(Scene& scene, std::span<const Moment> moments, double aspect) {
+    constexpr double kYfovDegrees = 40.0;
+    constexpr double kFilled = 0.9;  // of the picture; the rest is margin, also for bodies that deform
+    const double halfHeight = std::tan(0.5 * glm::radians(kYfovDegrees));
+    const glm::dvec3 back = glm::normalize(glm::dvec3(0.5, 0.4, 0.8));  // glTF's figures face +Z
+    const glm::dmat3 worldFromView = glm::mat3_cast(lookRotation(-back));
+    Reach reach(worldFromView, kFilled * halfHeight * glm::dvec2(aspect, 1.0));
+    for (const Moment& moment : moments)
+        for (const glm::dvec3& position : positionsOf(scene, moment)) reach.add(position);
+    if (reach.empty()) reach.add(glm::dvec3(0.0));
 
+    const double size = reach.size() > 0.0 ? reach.size() : 1.0;
+    glm::dvec3 eye = reach.eye();
+    eye.z = std::max(eye.z, reach.nearest() + 0.1 * size);
     const Index node = addNode(scene, kNone, "camera", freePath(scene, "/camera"));
     Node& placed = scene.nodes[static_cast<std::size_t>(node)];
-    placed.translation = center + distance * fromCenter;
-    placed.rotation = lookRotation(-fromCenter);
+    placed.translation = worldFromView * eye;
+    placed.rotation = lookRotation(-back);
     placed.camera = static_cast<Index>(scene.cameras.size());
-    // Deforming meshes may leave their bounds, towards the eye as well as away from it.
-    scene.cameras.push_back(
-        {.name = "camera", .yfov = 2.0 * halfY, .znear = 0.1 * (distance - radius), .zfar = distance + 10.0 * radius});
+    scene.cameras.push_back({.name = "camera",
+                             .yfov = glm::radians(kYfovDegrees),
+                             .znear = 0.1 * (eye.z - reach.nearest())});
     scene.notes.push_back(fmt::format("the scene has no camera: one at ({:.4g}, {:.4g}, {:.4g}) sees all of it",
                                       placed.translation.x, placed.translation.y, placed.translation.z));
     return node;
 }
 
-void addDefaultLights(Scene& scene, const PlacedCamera& camera) {
+void noteIfNothingIsSeen(Scene& scene, std::span<const Moment> moments, Index camera, double aspect) {
+    const bool nothing = std::all_of(moments.begin(), moments.end(), [&](const Moment& moment) {
+        return seesNothing(scene, moment, placeCamera(scene, moment, camera), aspect);
+    });
+    if (!nothing || scene.meshes.empty()) return;
+    scene.notes.push_back(
+        fmt::format("the camera {} sees nothing of the scene, as far as was tried; --camera chooses another, --set "
+                    "camera={{position: [x, y, z], target: [x, y, z]}} describes one",
+                    scene.nodes[static_cast<std::size_t>(camera)].path));
+}
+
+DefaultAmbient addDefaultLights(Scene& scene, const PlacedCamera& camera) {
     const glm::dvec3 right(camera.worldFromCamera[0]), back(camera.worldFromCamera[2]), up(0.0, 1.0, 0.0);
     addDirectional(scene, "key", kKeyLux, glm::normalize(-0.7 * right + 0.9 * up + 0.6 * back));
     addDirectional(scene, "fill", kFillLux, glm::normalize(right + 0.3 * up + 0.4 * back));
@@ -59,6 +135,7 @@ void addDefaultLights(Scene& scene, const PlacedCamera& camera) {
         fmt::format("the scene has no lights: /lights/key ({} lux, from the left above) and /lights/fill ({} lux, from "
                     "the right) were added",
                     kKeyLux, kFillLux));
+    return {kAmbientSky, kAmbientGround};
 }
 
 }  // namespace umbrage

@@ -21,8 +21,16 @@ void addLight(Scene& scene, const JobLight& light);
 Index chooseCamera(Scene& scene, const JobCamera& camera);
 
 /// compose_defaults.cpp: what a scene without camera or lights gets; says so in the scene's notes.
+/// Moments over the whole of the animations that play, so that a camera framed on them is the same whichever frames are
+/// asked for.
+std::vector<Moment> momentsToFrame(const Scene& scene, std::span<const Index> animations);
 /// @param aspect  width / height
-Index addFramingCamera(Scene& scene, const Moment& moment, double aspect);
-void addDefaultLights(Scene& scene, const PlacedCamera& camera);
+Index addFramingCamera(Scene& scene, std::span<const Moment> moments, double aspect);
+void noteIfNothingIsSeen(Scene& scene, std::span<const Moment> moments, Index camera, double aspect);
+
+struct DefaultAmbient {
+    glm::vec3 sky, ground;
+};
+DefaultAmbient addDefaultLights(Scene& scene, const PlacedCamera& camera);
 
 }  // namespace umbrage

@@ -192,11 +192,6 @@ std::vector<PlacedLight> placeLights(const Scene& scene, const std::vector<glm::
     return lights;
 }
 
-void growTo(std::array<glm::dvec3, 2>& bounds, const glm::dvec3& point) {
-    bounds[0] = glm::min(bounds[0], point);
-    bounds[1] = glm::max(bounds[1], point);
-}
-
 glm::dvec3 skinnedPosition(const Mesh& mesh, const Instance& instance, std::size_t vertex) {
     const glm::dvec4 position(glm::dvec3(mesh.positions[vertex]), 1.0);
     glm::dvec4 result(0.0);
@@ -244,19 +239,28 @@ PlacedCamera placeCamera(const Scene& scene, const Moment& moment, Index node) {
     return placed;
 }
 
-std::array<glm::dvec3, 2> boundsOf(const Scene& scene, const Moment& moment) {
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    std::array<glm::dvec3, 2> bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
+std::vector<glm::dvec3> positionsOf(const Scene& scene, const Moment& moment) {
+    std::vector<glm::dvec3> positions;
     for (const Instance& instance : moment.instances) {
         const Mesh& mesh = at(scene.meshes, instance.mesh);
         for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-            growTo(bounds, instance.skinned() ? skinnedPosition(mesh, instance, vertex)
-                                              : glm::dvec3(instance.worldFromModel *
-                                                           glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0)));
+            positions.push_back(instance.skinned() ? skinnedPosition(mesh, instance, vertex)
+                                                   : glm::dvec3(instance.worldFromModel *
+                                                                glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0)));
         }
     }
-    if (!(bounds[0].x <= bounds[1].x)) {
+    return positions;
+}
+
+std::array<glm::dvec3, 2> boundsOf(const Scene& scene, const Moment& moment) {
+    const std::vector<glm::dvec3> positions = positionsOf(scene, moment);
+    if (positions.empty()) {
         return {};
+    }
+    std::array<glm::dvec3, 2> bounds{positions.front(), positions.front()};
+    for (const glm::dvec3& position : positions) {
+        bounds[0] = glm::min(bounds[0], position);
+        bounds[1] = glm::max(bounds[1], position);
     }
     return bounds;
 }

@@ -48,8 +48,11 @@ Moment evaluate(const Scene& scene, std::span<const Index> animations, double ti
 /// The camera on `node` (which must have one) at that moment.
 PlacedCamera placeCamera(const Scene& scene, const Moment& moment, Index node);
 
-/// World bounds of all instances in their bind pose: {min, max}; {0,0} when there is nothing.
-/// Used to frame a default camera, not for culling (deforming meshes may leave it).
+/// World positions of all vertices of all instances, skinned but neither morphed nor displaced. Used to frame a default
+/// camera, not for culling.
+std::vector<glm::dvec3> positionsOf(const Scene& scene, const Moment& moment);
+
+/// Bounds of positionsOf(): {min, max}; {0,0} when there is nothing.
 std::array<glm::dvec3, 2> boundsOf(const Scene& scene, const Moment& moment);
 
 /// Evaluates a track at a time; `result` has track.width floats. Rotations are tracks of width 4 (x, y, z, w)

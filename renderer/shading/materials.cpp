@@ -179,11 +179,8 @@ std::uint32_t Materials::entryOf(Index material) const {
     return material == kNone ? std::uint32_t(materials_.size() - 1) : std::uint32_t(material);
 }
 
-void Materials::bindBuffer() const {
-    buffer_.bindStorage(BIND_MATERIALS);
-}
-
-void Materials::bindTextures(std::uint32_t entry) const {
+void Materials::bind(std::uint32_t entry) const {
+    buffer_.bindUniform(BIND_MATERIAL, entry * sizeof(gpu::MaterialData), sizeof(gpu::MaterialData));
     for (std::size_t u = 0; u < TEXTURE_COUNT; ++u) {
         const int texture = textureOf_[entry][u];
         (texture < 0 ? white_ : textures_[std::size_t(texture)]).bind(GLuint(u));

@@ -2,6 +2,28 @@
 #include "shadow/overdraw.h"
 
 namespace umbrage {
+namespace {
+
+/// All fragments into one target, those that change counts into the other.
+VolumeTotals drawTwice(const gpu::Framebuffer& all, const gpu::Framebuffer& counting, std::span<const CountPlan> plans,
+                       VolumeRenderer& renderer, const Geometry& geometry, const Silhouettes& silhouettes,
+                       const LightGroup& group, std::uint32_t l) {
+    using Into = VolumeRenderer::Into;
+    const gpu::SampleQuery fragments("volume fragments"), updates("count updates");
+    const auto draw = [&](const gpu::Framebuffer& target, const gpu::SampleQuery& query, Into into) {
+        target.bind();
+        query.begin();
+        for (const CountPlan& plan : plans) {
+            for (const VolumePart& part : plan.parts) renderer.draw(part, into, geometry, silhouettes, group, l);
+        }
+        query.end();
+    };
+    draw(all, fragments, Into::Fragments);
+    draw(counting, updates, Into::Updates);
+    return {fragments.result(), updates.result()};
+}
+
+}  // namespace
 
 Overdraw::Overdraw(const gpu::Texture& depthStencil) {
     const gpu::Texture::Size size = depthStencil.size();
@@ -26,15 +48,9 @@ void Overdraw::clear() {
         glClearNamedFramebufferfv(plane->target.name(), GL_COLOR, 0, zero);
 }
 
-void Overdraw::add(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
-                   const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
-    using Into = VolumeRenderer::Into;
-    for (const auto& [plane, into] : {std::pair{&fragments_, Into::Fragments}, std::pair{&updates_, Into::Updates}}) {
-        plane->target.bind();
-        for (const CountPlan& plan : plans) {
-            for (const VolumePart& part : plan.parts) renderer.draw(part, into, geometry, silhouettes, group, l);
-        }
-    }
+VolumeTotals Overdraw::add(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
+                           const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    return drawTwice(fragments_.target, updates_.target, plans, renderer, geometry, silhouettes, group, l);
 }
 
 std::vector<float> Overdraw::Plane::read() const {
@@ -62,17 +78,7 @@ std::vector<float> Overdraw::readUpdates() const {
 VolumeTotals countVolumeSamples(const gpu::Framebuffer& depthOnly, std::span<const CountPlan> plans,
                                 VolumeRenderer& renderer, const Geometry& geometry, const Silhouettes& silhouettes,
                                 const LightGroup& group, std::uint32_t l) {
-    using Into = VolumeRenderer::Into;
-    const gpu::SampleQuery fragments("volume fragments"), updates("count updates");
-    depthOnly.bind();
-    for (const auto& [query, into] : {std::pair{&fragments, Into::Fragments}, std::pair{&updates, Into::Updates}}) {
-        query->begin();
-        for (const CountPlan& plan : plans) {
-            for (const VolumePart& part : plan.parts) renderer.draw(part, into, geometry, silhouettes, group, l);
-        }
-        query->end();
-    }
-    return {fragments.result(), updates.result()};
+    return drawTwice(depthOnly, depthOnly, plans, renderer, geometry, silhouettes, group, l);
 }
 
 }  // namespace umbrage

@@ -10,13 +10,18 @@
 
 namespace umbrage {
 
+/// Samples, exactly, by GL_SAMPLES_PASSED (T16).
+struct VolumeTotals {
+    std::uint64_t fragments = 0, updates = 0;
+};
+
 class Overdraw {
 public:
     explicit Overdraw(const gpu::Texture& depthStencil);
 
     void clear();
     /// Adds the fragments of a light's volumes (before the depth test) and those that change its counts.
-    void add(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
+    VolumeTotals add(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
              const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
     /// Fragments a pixel, rows from the top; with several samples their mean. Waits.
@@ -31,10 +36,7 @@ private:
     } fragments_, updates_;
 };
 
-/// Exact totals by GL_SAMPLES_PASSED (T16).
-struct VolumeTotals {
-    std::uint64_t fragments = 0, updates = 0;
-};
+/// The totals alone, when nobody wants them per pixel.
 VolumeTotals countVolumeSamples(const gpu::Framebuffer& depthOnly, std::span<const CountPlan> plans,
                                 VolumeRenderer& renderer, const Geometry& geometry, const Silhouettes& silhouettes,
                                 const LightGroup& group, std::uint32_t l);
