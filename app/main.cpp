@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 
 #include "commands.h"
@@ -27,7 +25,8 @@ int main(int argc, char** argv) {
     using namespace umbrage;
     try {
         const int exitCode = run(argc, argv);
-        if (std::fflush(stdout) != 0) throw Error(ErrorKind::Output, "stdout", std::strerror(errno));
+        if (std::fflush(stdout) != 0 || std::ferror(stdout))
+            throw Error(ErrorKind::Output, "stdout", "cannot be written");
         return exitCode;
     } catch (const Error& error) {
         std::fprintf(stderr, "umbrage: error: %s\n", error.what());

@@ -100,7 +100,7 @@ void say(const Composition& composition, const gpu::Context& context, const Fram
 BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver& observer,
                       const std::atomic<bool>& interrupted) {
     const Clock::time_point start = Clock::now();
-    prefetchCodec();
+    const std::future<void> prefetch = prefetchCodec();
     BatchSummary summary;
     const auto timeOf = [&](int frame) { return double(frame) / job.time.framesPerSecond; };
 

@@ -96,17 +96,18 @@ constexpr Aov kAovWriters[] = {
     {"overdraw", &FrameOutputs::overdraw, writeOverdraw},
 };
 
-std::vector<float> summedCounts(const Writing& w) {
-    std::vector<float> sum(w.pixelCount(), 0.0f);
+std::vector<float> largestCounts(const Writing& w) {
+    std::vector<float> largest(w.pixelCount(), 0.0f);
     for (const LightPlanes& light : w.pixels.lights) {
-        // Counts are modulo 256; a raster crack shows as -1, which is to be seen as such.
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += float(std::int8_t(light.counts[i]));
+        for (std::size_t i = 0; i < largest.size(); ++i) largest[i] = std::max(largest[i], float(light.counts[i]));
     }
-    return sum;
+    return largest;
 }
 
-std::vector<float> volumeFragments(const Writing& w) {
-    return w.pixels.overdrawFragments;
+std::vector<float> fragmentsPerLight(const Writing& w) {
+    std::vector<float> mean = w.pixels.overdrawFragments;
+    for (float& fragments : mean) fragments /= float(std::max<std::size_t>(1, w.pixels.lights.size()));
+    return mean;
 }
 
 struct Overlay {
@@ -117,8 +118,8 @@ struct Overlay {
     float scaleMaximum;
 };
 constexpr Overlay kOverlayWriters[] = {
-    {"stencil", &FrameOutputs::counts, summedCounts, "shadow counts, all lights", 48.0f},
-    {"overdraw", &FrameOutputs::overdraw, volumeFragments, "shadow volume fragments, all lights", 256.0f},
+    {"stencil", &FrameOutputs::counts, largestCounts, "shadow count, highest of all lights", 16.0f},
+    {"overdraw", &FrameOutputs::overdraw, fragmentsPerLight, "shadow volume fragments per light", 64.0f},
 };
 
 std::string overlayFileName(std::string_view overlay) {

@@ -87,6 +87,7 @@ void FrameRenderer::Impl::uploadView(const Eye& eye, const std::vector<const Pla
     view.ambientSky = {settings.ambientSky, 0.0f};
     view.ambientGround = {settings.ambientGround, 0.0f};
     view.lightCount = std::uint32_t(lights.size());
+    view.pixelSize = {2.0f / float(settings.width), 2.0f / float(settings.height)};
     viewBuffer.write(0, sizeof view, &view);
     viewBuffer.bindUniform(BIND_VIEW);
 
@@ -188,10 +189,8 @@ void FrameRenderer::Impl::recordLight(const std::string& id, std::uint32_t l, co
                                       Statistics& statistics) const {
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
     double quads = 0, eyeConstant = 0, byFail = 0, skipped = 0;
-    for (int list = 0; list < LIST_COUNT; ++list) {
-        quads += summary.lists[list].count / 6;
-        eyeConstant += summary.eyeInside[list];
-    }
+    for (const gpu::DrawCommand& list : summary.lists) quads += list.count / 6;
+    for (const std::uint32_t layers : summary.eyeInside) eyeConstant += layers;
     for (const gpu::CasterState& caster : silhouettes.hostCasters) {
         byFail += caster.countedByFail >> l & 1u;
         skipped += caster.outOfReach >> l & 1u;

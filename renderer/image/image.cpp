@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <future>
 
 #include "error.h"
 #include "image/codec_module.h"
@@ -48,13 +47,12 @@ const Codec& codec() {
     return opened;
 }
 
-void prefetchCodec() {
-    // A failure is reported to whoever calls codec() next, which tries again. The future's destructor makes the end of
-    // the process wait for the thread, so that it never runs into libraries being torn down.
-    static const std::future<void> opening = std::async(std::launch::async, [] {
+std::future<void> prefetchCodec() {
+    return std::async(std::launch::async, [] {
         try {
             codec();
         } catch (const std::exception&) {
+            // codec() tries again for the next who calls it.
         }
     });
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <span>
 #include <string>
@@ -80,8 +81,10 @@ public:
 /// The one codec of the process, opened on first use. Thread-safe. @throws Error(Device) if the module is missing
 const Codec& codec();
 
-/// Starts opening the codec in the background, so that it is ready when the first texture or frame needs it.
-void prefetchCodec();
+/// Starts opening the codec in the background, so that it is ready when the first texture or frame needs it. A failure
+/// is reported to whoever calls codec() next.
+/// @return  waits when it is destroyed: the process must not end while libraries are being opened
+[[nodiscard]] std::future<void> prefetchCodec();
 
 /// Writes `bytes` to `file`: a temporary name in the same folder, then a rename. Makes the folder.
 /// @throws Error(Output)

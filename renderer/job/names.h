@@ -18,7 +18,7 @@ struct AovName {
 
 inline constexpr std::array kAovs = {
     AovName{"beauty", "the picture", true},
-    AovName{"depth", "distance along the viewing direction, metres (Z)", false},
+    AovName{"depth", "distance along the viewing direction, metres, or infinite (Z)", false},
     AovName{"normal", "shading normal, world (N.X, N.Y, N.Z)", false},
     AovName{"shadow", "per light: 1 where it reaches the surface", false},
     AovName{"stencil", "per light: the shadow count", false},

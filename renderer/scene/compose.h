@@ -19,7 +19,7 @@ namespace umbrage {
 struct Composition {
     Scene scene;
     Index cameraNode = kNone;
-    std::vector<Index> animations;  // which of the scene's play; its drivers always do
+    std::vector<Index> animations;                    // which of the scene's play; its drivers always do
     glm::vec3 ambientSky{0.0f}, ambientGround{0.0f};  // the job's, or that of the default lights
 };
 

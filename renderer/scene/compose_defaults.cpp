@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "scene/aim.h"
 #include "scene/compose_parts.h"
+#include "scene/framing.h"
 #include "scene/node_paths.h"
 
 namespace umbrage {
@@ -27,37 +27,6 @@ void addDirectional(Scene& scene, const std::string& name, float lux, const glm:
     scene.lights.push_back({.name = name, .type = LightType::Directional, .intensity = lux});
 }
 
-/// How far everything reaches in the directions that a view of given axes and half extents (at distance 1) cares about.
-class Reach {
-public:
-    Reach(const glm::dmat3& worldFromView, const glm::dvec2& halfExtents) : axes_(worldFromView), half_(halfExtents) {}
-
-    void add(const glm::dvec3& position) {
-        const glm::dvec3 p = position * axes_;  // coordinates along the axes
-        low_ = glm::min(low_, p);
-        high_ = glm::max(high_, p);
-        positive_ = glm::max(positive_, glm::dvec2(p) + half_ * p.z);
-        negative_ = glm::max(negative_, half_ * p.z - glm::dvec2(p));
-    }
-
-    bool empty() const { return !(low_.x <= high_.x); }
-    double size() const { return glm::length(high_ - low_); }
-    double nearest() const { return high_.z; }  // along the axis towards the viewer
-
-    /// The nearest eye that has everything in view, in coordinates along the axes.
-    glm::dvec3 eye() const {
-        const glm::dvec2 distances = (positive_ + negative_) / (2.0 * half_);
-        return {0.5 * (positive_ - negative_), std::max(distances.x, distances.y)};
-    }
-
-private:
-    static constexpr double kFar = std::numeric_limits<double>::infinity();
-    glm::dmat3 axes_;
-    glm::dvec2 half_;
-    glm::dvec3 low_{kFar}, high_{-kFar};
-    glm::dvec2 positive_{-kFar}, negative_{-kFar};
-};
-
 /// Whether all positions lie behind the eye or all beyond the same edge of the picture.
 bool seesNothing(const Scene& scene, const Moment& moment, const PlacedCamera& placed, double aspect) {
     const Camera& camera = placed.camera;
@@ -68,8 +37,8 @@ bool seesNothing(const Scene& scene, const Moment& moment, const PlacedCamera& p
     for (const glm::dvec3& position : positionsOf(scene, moment)) {
         const glm::dvec3 p(viewFromWorld * glm::dvec4(position, 1.0));
         const glm::dvec2 edge = camera.perspective ? half * -p.z : half;
-        const bool inside[6] = {p.x < edge.x, p.x > -edge.x,       p.y < edge.y,
-                                p.y > -edge.y, -p.z > camera.znear, camera.zfar == 0.0 || -p.z < camera.zfar};
+        const bool inside[6] = {p.x<edge.x, p.x> - edge.x, p.y<edge.y, p.y> - edge.y, -p.z > camera.znear,
+                                camera.zfar == 0.0 || -p.z < camera.zfar};
         for (int i = 0; i < 6; ++i) insideOf[i] = insideOf[i] || inside[i];
     }
     return !std::all_of(std::begin(insideOf), std::end(insideOf), [](bool inside) { return inside; });
@@ -95,22 +64,17 @@ Index addFramingCamera(Scene& scene, std::span<const Moment> moments, double asp
     const double halfHeight = std::tan(0.5 * glm::radians(kYfovDegrees));
     const glm::dvec3 back = glm::normalize(glm::dvec3(0.5, 0.4, 0.8));  // glTF's figures face +Z
     const glm::dmat3 worldFromView = glm::mat3_cast(lookRotation(-back));
-    Reach reach(worldFromView, kFilled * halfHeight * glm::dvec2(aspect, 1.0));
+    Framing framing;
     for (const Moment& moment : moments)
-        for (const glm::dvec3& position : positionsOf(scene, moment)) reach.add(position);
-    if (reach.empty()) reach.add(glm::dvec3(0.0));
+        for (const glm::dvec3& position : positionsOf(scene, moment)) framing.add(position * worldFromView);
+    const Framing::Eye eye = framing.eye(kFilled * halfHeight * glm::dvec2(aspect, 1.0));
 
-    const double size = reach.size() > 0.0 ? reach.size() : 1.0;
-    glm::dvec3 eye = reach.eye();
-    eye.z = std::max(eye.z, reach.nearest() + 0.1 * size);
     const Index node = addNode(scene, kNone, "camera", freePath(scene, "/camera"));
     Node& placed = scene.nodes[static_cast<std::size_t>(node)];
-    placed.translation = worldFromView * eye;
+    placed.translation = worldFromView * eye.position;
     placed.rotation = lookRotation(-back);
     placed.camera = static_cast<Index>(scene.cameras.size());
-    scene.cameras.push_back({.name = "camera",
-                             .yfov = glm::radians(kYfovDegrees),
-                             .znear = 0.1 * (eye.z - reach.nearest())});
+    scene.cameras.push_back({.name = "camera", .yfov = glm::radians(kYfovDegrees), .znear = 0.1 * eye.nearestDistance});
     scene.notes.push_back(fmt::format("the scene has no camera: one at ({:.4g}, {:.4g}, {:.4g}) sees all of it",
                                       placed.translation.x, placed.translation.y, placed.translation.z));
     return node;

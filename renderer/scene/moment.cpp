@@ -192,8 +192,23 @@ std::vector<PlacedLight> placeLights(const Scene& scene, const std::vector<glm::
     return lights;
 }
 
-glm::dvec3 skinnedPosition(const Mesh& mesh, const Instance& instance, std::size_t vertex) {
-    const glm::dvec4 position(glm::dvec3(mesh.positions[vertex]), 1.0);
+glm::dvec3 morphedPosition(const Mesh& mesh, const Instance& instance, std::size_t vertex) {
+    glm::dvec3 position(mesh.positions[vertex]);
+    for (std::size_t target = 0; target < mesh.morphTargets.size(); ++target) {
+        const double weight = instance.morphWeights[target];
+        const std::vector<glm::vec3>& displacements = mesh.morphTargets[target].positions;
+        if (weight != 0.0 && !displacements.empty()) {
+            position += weight * glm::dvec3(displacements[vertex]);
+        }
+    }
+    return position;
+}
+
+glm::dvec3 worldPosition(const Mesh& mesh, const Instance& instance, std::size_t vertex) {
+    const glm::dvec4 position(morphedPosition(mesh, instance, vertex), 1.0);
+    if (!instance.skinned()) {
+        return glm::dvec3(instance.worldFromModel * position);
+    }
     glm::dvec4 result(0.0);
     const std::size_t sets = mesh.influenceSets();
     for (std::size_t entry = vertex * sets; entry < (vertex + 1) * sets; ++entry) {
@@ -204,7 +219,7 @@ glm::dvec3 skinnedPosition(const Mesh& mesh, const Instance& instance, std::size
             }
         }
     }
-    return result;
+    return glm::dvec3(result);
 }
 
 }  // namespace
@@ -244,9 +259,7 @@ std::vector<glm::dvec3> positionsOf(const Scene& scene, const Moment& moment) {
     for (const Instance& instance : moment.instances) {
         const Mesh& mesh = at(scene.meshes, instance.mesh);
         for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-            positions.push_back(instance.skinned() ? skinnedPosition(mesh, instance, vertex)
-                                                   : glm::dvec3(instance.worldFromModel *
-                                                                glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0)));
+            positions.push_back(worldPosition(mesh, instance, vertex));
         }
     }
     return positions;

@@ -48,7 +48,7 @@ Moment evaluate(const Scene& scene, std::span<const Index> animations, double ti
 /// The camera on `node` (which must have one) at that moment.
 PlacedCamera placeCamera(const Scene& scene, const Moment& moment, Index node);
 
-/// World positions of all vertices of all instances, skinned but neither morphed nor displaced. Used to frame a default
+/// World positions of all vertices of all instances, morphed and skinned but not displaced. Used to frame a default
 /// camera, not for culling.
 std::vector<glm::dvec3> positionsOf(const Scene& scene, const Moment& moment);
 

@@ -45,6 +45,13 @@ bool hazardous(vec4 eye, vec4 light, vec3 a, vec3 b) {
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0 - kMargin;
 }
 
+/// The eye nearly in the plane of the side quad.
+bool seenEdgeOn(vec4 eye, vec4 light, vec3 a, vec3 b) {
+    vec3 n = cross(b - a, light.w == 0.0 ? light.xyz : light.xyz - a);
+    vec3 e = eye.w == 0.0 ? eye.xyz : eye.xyz - a;
+    return abs(dot(n, e)) < EDGE_ON_SINE * length(n) * length(e);
+}
+
 void append(uint list, uint l, uint entry, uint times) {
     uint slot = atomicAdd(summaries[l].lists[list].count, 6u * times) / 6u;
     for (uint i = 0u; i < times; ++i) {
@@ -77,18 +84,17 @@ void main() {
         uint l = uint(findLSB(silhouette));
         silhouette &= silhouette - 1u;
         uint list = listOf(instance, l, (edge.left & EDGE_EVEN) != 0u);
+        vec4 eye = instances[instance].eyeInModel;
+        vec4 light = lightInModel(instance, l);
+        uint vertexBase = instances[instance].vertexBase;
+        vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
         bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
         bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
-        append(list, l, placed << 1u | uint(negative), isTwice && list != LIST_HALVED ? 2u : 1u);
+        append(list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
+               isTwice && list != LIST_HALVED ? 2u : 1u);
         if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
-        vec4 eye = instances[instance].eyeInModel;
         if (list != LIST_FAIL || eye.w == 0.0) {
-            if (list == LIST_FAIL) eye = -eye;
-            uint vertexBase = instances[instance].vertexBase;
-            vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
-            if (hazardous(eye, lightInModel(instance, l), a, b)) {
-                atomicOr(casters[instance].hazards, 1u << l);
-            }
+            if (hazardous(list == LIST_FAIL ? -eye : eye, light, a, b)) atomicOr(casters[instance].hazards, 1u << l);
         }
     }
 }

@@ -32,7 +32,6 @@ layout(binding = 6) uniform UINT_LAYERS maskTexture;  // layer: group of 32 ligh
 layout(std430, binding = BIND_FACING) readonly buffer Facing { uvec2 facing[]; };
 layout(std430, binding = BIND_PLANES) readonly buffer Planes { vec4 planes[]; };
 
-layout(location = 0) uniform vec2 pixelSize;     // in NDC
 layout(location = 1) uniform uint facingStride;  // words between two groups of lights
 
 vec2 ndcHere() {
@@ -41,7 +40,7 @@ vec2 ndcHere() {
 #else
     vec2 at = gl_FragCoord.xy;
 #endif
-    return vec2(at.x * pixelSize.x - 1.0, 1.0 - at.y * pixelSize.y);  // row 0 is the top
+    return vec2(at.x * view.pixelSize.x - 1.0, 1.0 - at.y * view.pixelSize.y);  // row 0 is the top
 }
 
 /// Distance along the view axis at the sample. The triangle's plane is exact where interpolated depth has lost bits

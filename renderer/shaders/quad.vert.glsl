@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Side quads of shadow volumes: an edge (u, v) and its projection from the light to infinity (w = 0). The diagonal
 // always runs from u to v's projection, so that coincident quads are cut alike (algorithms.md 1.13, R6).
+// variant: EDGE_ON 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "geometry.glsl"
@@ -14,6 +15,21 @@ layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { v
 layout(location = 0) uniform uint lightIndex;
 layout(location = 1) uniform uint totalLights;
 
+#ifdef EDGE_ON
+// The quad's two lateral lines, near + t far for t >= 0, in clip space; the same for all corners.
+layout(location = 0) flat out vec4 nearA;
+layout(location = 1) flat out vec4 farA;
+layout(location = 2) flat out vec4 nearB;
+layout(location = 3) flat out vec4 farB;
+#endif
+
+vec4 nearCorner(uint instance, vec3 p) { return clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0); }
+
+vec4 farCorner(uint instance, vec3 p, vec4 light) {
+    precise vec3 direction = p * light.w - light.xyz;
+    return clipFromView(viewFromModel(instance, vec4(direction, 0.0)), 0.0);
+}
+
 void main() {
     uint entry = quads[uint(gl_VertexID) >> 2u];
     uint placed = entry >> 1u;
@@ -25,11 +41,14 @@ void main() {
     uint corner = uint(gl_VertexID) & 3u;
     bool far = corner == 2u || corner == (reversed ? 3u : 1u);
     bool second = corner == 2u || corner == (reversed ? 1u : 3u);
-    vec3 p = positionOf(instances[instance].vertexBase + (second ? edge.b : edge.a));
-    if (far) {
-        precise vec3 direction = p * light.w - light.xyz;
-        gl_Position = clipFromView(viewFromModel(instance, vec4(direction, 0.0)), 0.0);
-    } else {
-        gl_Position = clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0);
-    }
+    uint vertexBase = instances[instance].vertexBase;
+    vec3 p = positionOf(vertexBase + (second ? edge.b : edge.a));
+    gl_Position = far ? farCorner(instance, p, light) : nearCorner(instance, p);
+#ifdef EDGE_ON
+    vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
+    nearA = nearCorner(instance, a);
+    farA = farCorner(instance, a, light);
+    nearB = nearCorner(instance, b);
+    farB = farCorner(instance, b, light);
+#endif
 }

@@ -89,11 +89,15 @@ struct Edge {
     uint a, b, left, right;
 };
 
-// The three lists of side quads a light has.
+// The lists of side quads a light has.
 #define LIST_HALVED 0  // even components: one quad for two crossings, counted by z-pass
 #define LIST_WHOLE 1   // all others, |m| quads an edge, counted by z-pass
 #define LIST_FAIL 2    // |m| quads an edge, counted by z-fail
-#define LIST_COUNT 3
+#define LIST_KINDS 3
+// Each list in two: quads seen nearly edge-on are kept apart, at kind + LIST_EDGE_ON (see edge_on.frag.glsl).
+#define LIST_EDGE_ON LIST_KINDS
+#define LIST_COUNT (2 * LIST_KINDS)
+#define EDGE_ON_SINE 0.0078125  // of the angle between the quad's plane and the direction to its edge
 
 // Uniform location shared by programs that differ in their vertex shader.
 #define COUNT_FRONT_VALUE 15
@@ -120,7 +124,7 @@ struct CasterState {
 // What the silhouette passes say about one light.
 struct LightSummary {
     DrawCommand lists[LIST_COUNT];  // count: 6 for each quad, also beyond the capacity
-    uint eyeInside[LIST_COUNT];     // layers over the eye of the casters in each list
+    uint eyeInside[LIST_KINDS];     // layers over the eye of the casters in each list
     uint litTriangles;              // casting triangles whose front faces the light
     uint silhouetteEdges;           // edge records with m != 0
 };
@@ -142,6 +146,8 @@ struct ViewData {
     float znear, zfar;  // zfar 0: infinite
     uint perspective;
     uint lightCount;
+    vec2 pixelSize;     // in NDC
+    vec2 unusedView;
 };
 
 struct MaterialData {

@@ -40,7 +40,6 @@ void Resolve::drawFullScreen(const gpu::Program& program, const gpu::Framebuffer
     gbuffer.bindTextures();
     masks.texture().bind(6);
     silhouettes.bind();
-    glProgramUniform2f(program.name(), 0, 2.0f / float(width_), 2.0f / float(height_));
     program.uniform(1, silhouettes.facingStride);
     program.use();
     noVertices_.bind();

@@ -51,13 +51,16 @@ void addCap(CountPlan& plan, std::uint32_t cap, Rule rule, const Silhouettes& si
 }
 
 void addSides(CountPlan& plan, std::uint32_t list, Rule rule, const gpu::LightSummary& summary) {
-    if (summary.lists[list].count > 0) plan.parts.push_back({Kind::Sides, rule, list, {}});
+    for (const std::uint32_t part : {list, list + LIST_EDGE_ON}) {
+        if (summary.lists[part].count > 0) plan.parts.push_back({Kind::Sides, rule, part, {}});
+    }
 }
 
 }  // namespace
 
 std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l,
                                   std::uint32_t layerBound, const CountSettings& settings) {
+    if (silhouettes.hostCasters.empty()) return {};
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
     const auto eyeInside = [&](std::uint32_t list) { return settings.eyeConstant ? int(summary.eyeInside[list]) : 0; };
     std::vector<CountPlan> plans;
@@ -98,13 +101,17 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
 VolumeRenderer::VolumeRenderer()
     : sides_{gpu::Program("quad.vert"), gpu::Program("quad.vert", "count.frag", {"SIGNED 1"}),
              gpu::Program("quad.vert", "count.frag")},
+      edgeOnSides_{gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1", "STENCIL_ONLY 1"}),
+                   gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1", "SIGNED 1"}),
+                   gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1"})},
       caps_{gpu::Program("cap.vert"), gpu::Program("cap.vert", "count.frag", {"SIGNED 1"}),
             gpu::Program("cap.vert", "count.frag")} {}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
     gpu::RasterState state = rasterState(part, into);
-    const gpu::Program& program = (part.kind == Kind::Sides ? sides_ : caps_).of(into);
+    const bool edgeOn = part.kind == Kind::Sides && part.what >= LIST_EDGE_ON;
+    const gpu::Program& program = (part.kind == Kind::Cap ? caps_ : edgeOn ? edgeOnSides_ : sides_).of(into);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
     if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);

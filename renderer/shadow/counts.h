@@ -30,7 +30,7 @@ struct VolumePart {
     };
     Kind kind = Kind::Sides;
     Rule rule = Rule::Pass;
-    std::uint32_t what = LIST_HALVED;      // LIST_... or CAP_...
+    std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
     std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
 };
 
@@ -78,7 +78,7 @@ private:
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
-    Programs sides_, caps_;
+    Programs sides_, edgeOnSides_, caps_;
     gpu::VertexArray vertexArray_{"volumes"};
     gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
 };

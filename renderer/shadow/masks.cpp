@@ -17,6 +17,9 @@ Masks::Masks(const gpu::Texture& depthStencil, std::uint32_t lightCount) : depth
     if (size.samples > 1) {
         oneSample_ = gpu::Texture("one sample of counts", GL_DEPTH32F_STENCIL8, {size.width, size.height});
         oneSampleTarget_ = gpu::Framebuffer("one sample of counts", {}, &oneSample_);
+        oneWideSample_ = gpu::Texture("one sample of wide counts", GL_R32F, {size.width, size.height});
+        const gpu::Framebuffer::Attachment color{&oneWideSample_};
+        oneWideSampleTarget_ = gpu::Framebuffer("one sample of wide counts", std::span(&color, 1), nullptr);
     }
 }
 
@@ -95,26 +98,39 @@ void Masks::mark(const gpu::Program& program, const gpu::Stencil& stencil, const
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+const gpu::Framebuffer& Masks::singleSampled(bool wide) const {
+    const gpu::Framebuffer& counted = wide ? wideTarget_ : stencilOnly_;
+    if (!oneSample_.name()) return counted;
+    if (!wide) {
+        const GLint width = texture_.size().width, height = texture_.size().height;
+        glBlitNamedFramebuffer(counted.name(), oneSampleTarget_.name(), 0, 0, width, height, 0, 0, width, height,
+                               GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+        return oneSampleTarget_;
+    }
+    oneWideSampleTarget_.bind();
+    gpu::RasterState state;
+    state.color = gpu::ColorOp::Replace;
+    gpu::apply(state);
+    wideCounts_.bind(0);
+    firstSampleProgram_.use();
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    return oneWideSampleTarget_;
+}
+
 std::vector<std::uint32_t> Masks::readCounts(const CountPlan& plan) const {
     const int width = texture_.size().width, height = texture_.size().height;
     const bool wide = plan.wide && !plan.allDark;
-    const gpu::Framebuffer* source = wide ? &wideTarget_ : &stencilOnly_;
-    if (oneSample_.name()) {
-        glBlitNamedFramebuffer(source->name(), oneSampleTarget_.name(), 0, 0, width, height, 0, 0, width, height,
-                               GL_STENCIL_BUFFER_BIT, GL_NEAREST);
-        source = &oneSampleTarget_;
-    }
-    const std::size_t pixelCount = std::size_t(width) * std::size_t(height);
-    std::vector<std::uint32_t> counts(pixelCount);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, source->name());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, singleSampled(wide).name());
+    std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
     if (wide) {
-        std::vector<float> values(pixelCount);
+        std::vector<float> values(counts.size());
         glReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, values.data());
-        for (std::size_t i = 0; i < pixelCount; ++i) counts[i] = std::uint32_t(int(values[i]) - plan.litValue);
+        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::uint32_t(int(values[i]) - plan.litValue);
     } else {
-        std::vector<std::uint8_t> values(pixelCount);
+        std::vector<std::uint8_t> values(counts.size());
         glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
-        for (std::size_t i = 0; i < pixelCount; ++i) counts[i] = std::uint8_t(values[i] - plan.litValue);
+        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::uint8_t(values[i] - plan.litValue);
     }
     return counts;
 }

@@ -30,14 +30,16 @@ private:
                         const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
     void countByBlending(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
                          const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+    const gpu::Framebuffer& singleSampled(bool wide) const;
     void mark(const gpu::Program& program, const gpu::Stencil& stencil, const LightGroup& group, std::uint32_t l);
 
     const gpu::Texture& depthStencil_;
     gpu::Texture texture_;
     std::vector<gpu::Framebuffer> framebuffers_;  // one a layer
     gpu::Framebuffer stencilOnly_;
-    gpu::Texture oneSample_;  // for readStencil() of multisampled counts
-    gpu::Framebuffer oneSampleTarget_;
+    gpu::Texture oneSample_, oneWideSample_;  // for readCounts() of multisampled counts
+    gpu::Framebuffer oneSampleTarget_, oneWideSampleTarget_;
+    gpu::Program firstSampleProgram_{"fullscreen.vert", "first_sample.frag"};
     gpu::Program markProgram_{"fullscreen.vert", "mask.frag"};
     gpu::Texture wideCounts_;  // R32F; these three on first use
     gpu::Framebuffer wideTarget_;

@@ -22,7 +22,7 @@ public:
     void clear();
     /// Adds the fragments of a light's volumes (before the depth test) and those that change its counts.
     VolumeTotals add(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
-             const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+                     const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
     /// Fragments a pixel, rows from the top; with several samples their mean. Waits.
     std::vector<float> readFragments() const;

@@ -64,6 +64,13 @@ bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a,
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0f - kMargin;
 }
 
+/// See edges.comp.glsl.
+bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 n = glm::cross(b - a, light.w == 0.0f ? glm::vec3(light) : glm::vec3(light) - a);
+    const glm::vec3 e = eye.w == 0.0f ? glm::vec3(eye) : glm::vec3(eye) - a;
+    return std::abs(glm::dot(n, e)) < float(EDGE_ON_SINE) * glm::length(n) * glm::length(e);
+}
+
 class CpuSilhouettes : public SilhouetteTechnique {
 public:
     std::string_view name() const override { return "cpu"; }
@@ -194,13 +201,14 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             const bool negative = (twice.y | once.y) >> l & 1u;
             const int times = ((twice.x | twice.y) >> l & 1u) && list != LIST_HALVED ? 2 : 1;
             const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative);
-            entries_[l * LIST_COUNT + list].insert(entries_[l * LIST_COUNT + list].end(), std::size_t(times), entry);
+            const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
+            const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);
+            std::vector<std::uint32_t>& entries =
+                entries_[l * LIST_COUNT + list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0)];
+            entries.insert(entries.end(), std::size_t(times), entry);
             ++out.hostSummaries[l].silhouetteEdges;
-            const bool orthographic = instance.eyeInModel.w == 0.0f;
-            if (list == LIST_FAIL && !orthographic) continue;
-            const glm::vec4 eye = list == LIST_FAIL ? -instance.eyeInModel : instance.eyeInModel;
-            if (hazardous(eye, lightOf(out, i, group, l), position(instance.vertexBase + edge.a),
-                          position(instance.vertexBase + edge.b))) {
+            if (list == LIST_FAIL && eye.w != 0.0f) continue;
+            if (hazardous(list == LIST_FAIL ? -eye : eye, light, a, b)) {
                 out.hostCasters[i].hazards |= 1u << l;
             }
         }

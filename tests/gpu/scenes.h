@@ -3,6 +3,7 @@
 // triangle in double. Not the oracle (which is exact): mismatches are judged by whether they lie on a boundary.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -130,37 +131,106 @@ struct TestScene {
     }
 };
 
-/// What brute force says about a pixel.
+/// What brute force says about a point of the picture.
 struct Answer {
     int triangle = -1;  // of all placed triangles; -1: background
-    bool facesLight = false, lit = false;
+    bool lit = false;
+    bool grazing = false;   // the light is in the plane of what is seen, up to rounding
+    double distance = 0.0;  // along the view axis
 };
 
-inline std::vector<Answer> bruteForce(const TestScene& test, const Moment& moment, const PlacedLight& light, int width,
-                                      int height) {
+class BruteForce {
+public:
+    BruteForce(const TestScene& test, const Moment& moment, const PlacedLight& light, int width, int height)
+        : eye_(makeEye(test.placedCamera(), width, height)), width_(width), height_(height) {
+        for (const Instance& instance : moment.instances) {
+            const Mesh& mesh = test.scene.meshes[std::size_t(instance.mesh)];
+            for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+                Placed placed;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    placed.v[k] =
+                        glm::dvec3(instance.worldFromModel * glm::dvec4(mesh.positions[mesh.indices[i + k]], 1.0));
+                }
+                placed.doubleSided = mesh.primitives[0].material == 1;
+                placed.mirrored = glm::determinant(glm::dmat3(instance.worldFromModel)) < 0.0;
+                triangles_.push_back(placed);
+            }
+        }
+        light_ = light.light.type == LightType::Directional ? glm::dvec4(-light.direction, 0.0)
+                                                            : glm::dvec4(light.position, 1.0);
+    }
+
+    /// @param x, y  in pixels from the upper left corner; the centre of the first pixel is (0.5, 0.5)
+    Answer at(double x, double y) const {
+        const glm::dvec2 ndc(2.0 * x / width_ - 1.0, 1.0 - 2.0 * y / height_);
+        const glm::dvec2 at = ndc * eye_.rayScale;
+        const glm::dvec3 origin(eye_.worldFromView *
+                                (eye_.perspective ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(at, 0.0, 1.0)));
+        const glm::dvec3 d(eye_.worldFromView *
+                           (eye_.perspective ? glm::dvec4(at, -1.0, 0.0) : glm::dvec4(0, 0, -1, 0)));
+        Answer answer;
+        double nearest = eye_.zfar > 0.0 ? eye_.zfar : 1e300;
+        bool seenFront = false;
+        for (std::size_t i = 0; i < triangles_.size(); ++i) {
+            const Placed& t = triangles_[i];
+            const double e = hit(t, origin, d);
+            if (e < eye_.znear || e >= nearest) continue;
+            const bool front = (glm::dot(normal(t), d) < 0.0) != t.mirrored;
+            if (!front && !t.doubleSided) continue;
+            nearest = e;
+            seenFront = front;
+            answer.triangle = int(i);
+        }
+        if (answer.triangle < 0) return answer;
+        const Placed& seen = triangles_[std::size_t(answer.triangle)];
+        answer.distance = nearest;
+        const glm::dvec3 p = origin + nearest * d;
+        const glm::dvec3 toLight = glm::dvec3(light_) - light_.w * p;
+        const double side = glm::dot(normal(seen), toLight) * (seen.mirrored ? -1.0 : 1.0);
+        answer.grazing = std::abs(side) < 1e-5 * glm::length(normal(seen)) * glm::length(toLight);
+        answer.lit = seenFront ? side > 0.0 : side < 0.0;
+        for (std::size_t i = 0; i < triangles_.size() && answer.lit; ++i) {
+            if (int(i) == answer.triangle) continue;
+            const double s = hit(triangles_[i], p, toLight);
+            if (s > 1e-9 && (light_.w == 0.0 || s < 1.0)) answer.lit = false;
+        }
+        return answer;
+    }
+
+    struct Mismatches {
+        int wrong = 0;     // not explained by where the rasteriser snaps vertices
+        int boundary = 0;  // explained: within 1/64 pixel the answer changes
+        int judged = 0;
+    };
+
+    /// Compares shadow masks (one value a pixel) with the answer at every pixel's centre.
+    /// @param normalAndDepth  what the renderer sees there: another surface (a sliver) explains another answer
+    Mismatches compare(const std::vector<float>& shadow, const std::vector<float>& normalAndDepth) const {
+        Mismatches result;
+        for (int y = 0; y < height_; ++y) {
+            for (int x = 0; x < width_; ++x) {
+                const bool lit = shadow[std::size_t(y * width_ + x)] > 0.5f;
+                const Answer answer = at(x + 0.5, y + 0.5);
+                result.judged += answer.triangle >= 0;
+                if (lit == answer.lit || answer.grazing) continue;
+                const double seen = normalAndDepth[4 * std::size_t(y * width_ + x) + 3];
+                const bool other = answer.triangle < 0 || !(std::abs(seen - answer.distance) < 1e-3 * seen);
+                ++(other || explained(x, y, lit, answer) ? result.boundary : result.wrong);
+            }
+        }
+        return result;
+    }
+
+private:
     struct Placed {
         glm::dvec3 v[3];
         bool doubleSided, mirrored;
     };
-    std::vector<Placed> triangles;
-    for (const Instance& instance : moment.instances) {
-        const Mesh& mesh = test.scene.meshes[std::size_t(instance.mesh)];
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            Placed placed;
-            for (std::size_t k = 0; k < 3; ++k) {
-                placed.v[k] =
-                    glm::dvec3(instance.worldFromModel * glm::dvec4(mesh.positions[mesh.indices[i + k]], 1.0));
-            }
-            placed.doubleSided = mesh.primitives[0].material == 1;
-            placed.mirrored = glm::determinant(glm::dmat3(instance.worldFromModel)) < 0.0;
-            triangles.push_back(placed);
-        }
-    }
-    const Eye eye = makeEye(test.placedCamera(), width, height);
-    const glm::dvec4 l = light.light.type == LightType::Directional ? glm::dvec4(-light.direction, 0.0)
-                                                                    : glm::dvec4(light.position, 1.0);
-    // Parameter along the ray where it crosses the triangle's interior, or -1.
-    const auto hit = [](const Placed& t, const glm::dvec3& origin, const glm::dvec3& d) {
+
+    static glm::dvec3 normal(const Placed& t) { return glm::cross(t.v[1] - t.v[0], t.v[2] - t.v[0]); }
+
+    /// Parameter along the ray where it crosses the triangle's interior; far below 0 where it does not.
+    static double hit(const Placed& t, const glm::dvec3& origin, const glm::dvec3& d) {
         const glm::dvec3 e1 = t.v[1] - t.v[0], e2 = t.v[2] - t.v[0], p = glm::cross(d, e2);
         const double det = glm::dot(e1, p);
         if (det == 0.0) return -1e300;
@@ -168,74 +238,53 @@ inline std::vector<Answer> bruteForce(const TestScene& test, const Moment& momen
         const double u = glm::dot(s, p) / det, v = glm::dot(d, q) / det;
         if (u < 0.0 || v < 0.0 || u + v > 1.0) return -1e300;
         return glm::dot(e2, q) / det;
-    };
-    std::vector<Answer> answers(std::size_t(width * height));
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const glm::dvec2 ndc(2.0 * (x + 0.5) / width - 1.0, 1.0 - 2.0 * (y + 0.5) / height);
-            const glm::dvec2 at = ndc * eye.rayScale;
-            const glm::dvec3 origin =
-                glm::dvec3(eye.worldFromView * (eye.perspective ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(at, 0.0, 1.0)));
-            const glm::dvec3 d =
-                glm::dvec3(eye.worldFromView * (eye.perspective ? glm::dvec4(at, -1.0, 0.0) : glm::dvec4(0, 0, -1, 0)));
-            Answer& answer = answers[std::size_t(y * width + x)];
-            double nearest = eye.zfar > 0.0 ? eye.zfar : 1e300;
-            bool seenFront = false;
-            for (std::size_t i = 0; i < triangles.size(); ++i) {
-                const Placed& t = triangles[i];
-                const double e = hit(t, origin, d);
-                if (e < eye.znear || e >= nearest) continue;
-                const bool front = (glm::dot(glm::cross(t.v[1] - t.v[0], t.v[2] - t.v[0]), d) < 0.0) != t.mirrored;
-                if (!front && !t.doubleSided) continue;
-                nearest = e;
-                seenFront = front;
-                answer.triangle = int(i);
-            }
-            if (answer.triangle < 0) continue;
-            const Placed& seen = triangles[std::size_t(answer.triangle)];
-            const glm::dvec3 p = origin + nearest * d;
-            const glm::dvec3 toLight = glm::dvec3(l) - l.w * p;
-            const double side = glm::dot(glm::cross(seen.v[1] - seen.v[0], seen.v[2] - seen.v[0]), toLight) *
-                                (seen.mirrored ? -1.0 : 1.0);
-            answer.facesLight = seenFront ? side > 0.0 : side < 0.0;
-            answer.lit = answer.facesLight;
-            for (std::size_t i = 0; i < triangles.size() && answer.lit; ++i) {
-                if (int(i) == answer.triangle) continue;
-                const double s = hit(triangles[i], p, toLight);
-                if (s > 1e-9 && (l.w == 0.0 || s < 1.0)) answer.lit = false;
-            }
-        }
     }
-    return answers;
-}
 
-struct Mismatches {
-    int off = 0;       // away from every boundary: wrong
-    int boundary = 0;  // within a pixel of one
-    int lit = 0, dark = 0;
+    /// The point of the seen triangle's plane at a place of the picture.
+    glm::dvec3 onPlane(const Placed& seen, double x, double y) const {
+        const glm::dvec2 at = glm::dvec2(2.0 * x / width_ - 1.0, 1.0 - 2.0 * y / height_) * eye_.rayScale;
+        const glm::dvec3 origin(eye_.worldFromView *
+                                (eye_.perspective ? glm::dvec4(0, 0, 0, 1) : glm::dvec4(at, 0.0, 1.0)));
+        const glm::dvec3 d(eye_.worldFromView *
+                           (eye_.perspective ? glm::dvec4(at, -1.0, 0.0) : glm::dvec4(0, 0, -1, 0)));
+        return origin + glm::dot(seen.v[0] - origin, normal(seen)) / glm::dot(d, normal(seen)) * d;
+    }
+
+    /// Whether the pixel's centre is inside the shadow of a triangle or within `tolerance` pixels of it, seen from the
+    /// sides of its shadow: finds shadows too thin for sampling.
+    bool nearShadowOf(const Placed& caster, const Placed& seen, double x, double y, double tolerance) const {
+        double distance[3];
+        for (int k = 0; k < 3; ++k) {
+            const auto side = [&](double u, double v) {
+                const glm::dvec3 p = onPlane(seen, u, v);
+                const glm::dvec3 toLight = glm::dvec3(light_) - light_.w * p;
+                return glm::dot(toLight, glm::cross(caster.v[k] - p, caster.v[(k + 1) % 3] - p));
+            };
+            const double here = side(x, y), dx = side(x + tolerance, y) - here, dy = side(x, y + tolerance) - here;
+            distance[k] = here / std::max(std::hypot(dx, dy), 1e-300);  // in tolerances
+        }
+        const auto [low, high] = std::minmax({distance[0], distance[1], distance[2]});
+        return low >= -1.0 || high <= 1.0;
+    }
+
+    bool explained(int x, int y, bool lit, const Answer& answer) const {
+        for (int i = 0; i < 48; ++i) {
+            const double angle = 6.283185307 * (i % 16) / 16.0, radius = (1 + i / 16) / 192.0;
+            const Answer other = at(x + 0.5 + radius * std::cos(angle), y + 0.5 + radius * std::sin(angle));
+            if (other.lit == lit || other.grazing || other.triangle != answer.triangle) return true;
+        }
+        for (std::size_t i = 0; i < triangles_.size() && !lit && answer.triangle >= 0; ++i) {
+            const Placed& seen = triangles_[std::size_t(answer.triangle)];
+            if (int(i) != answer.triangle && nearShadowOf(triangles_[i], seen, x + 0.5, y + 0.5, 1.0 / 64.0))
+                return true;
+        }
+        return false;
+    }
+
+    Eye eye_;
+    int width_, height_;
+    glm::dvec4 light_{0.0};
+    std::vector<Placed> triangles_;
 };
-
-/// Compares a shadow mask with brute force. A pixel is on a boundary when a pixel within two steps sees another
-/// triangle whose plane differs or has another answer.
-inline Mismatches compare(const std::vector<float>& shadow, const std::vector<Answer>& answers, int width, int height) {
-    Mismatches result;
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            const Answer& answer = answers[std::size_t(y * width + x)];
-            (answer.lit ? result.lit : result.dark) += answer.triangle >= 0;
-            if ((shadow[std::size_t(y * width + x)] > 0.5f) == answer.lit) continue;
-            bool boundary = false;
-            for (int dy = -1; dy <= 1; ++dy) {
-                for (int dx = -1; dx <= 1; ++dx) {
-                    if (x + dx < 0 || y + dy < 0 || x + dx >= width || y + dy >= height) continue;
-                    const Answer& other = answers[std::size_t((y + dy) * width + x + dx)];
-                    boundary = boundary || other.lit != answer.lit || (other.triangle < 0) != (answer.triangle < 0);
-                }
-            }
-            ++(boundary ? result.boundary : result.off);
-        }
-    }
-    return result;
-}
 
 }  // namespace umbrage::test

@@ -122,12 +122,13 @@ TEST_P(Sequence, PassAndFailAgree) {
             total.worstFrame = frame;
         }
     }
-    std::printf("%s: %zu frames, %llu pixels x lights: masks differ in %llu, off boundaries %llu, counts in %llu; "
-                "worst frame %d with %llu\n",
-                GetParam().c_str(), job.time.frames.frames().size(), static_cast<unsigned long long>(total.pixels),
-                static_cast<unsigned long long>(total.maskDiffers), static_cast<unsigned long long>(total.offBoundary),
-                static_cast<unsigned long long>(total.countDiffers), total.worstFrame,
-                static_cast<unsigned long long>(total.worst));
+    std::printf(
+        "%s: %zu frames, %llu pixels x lights: masks differ in %llu, off boundaries %llu, counts in %llu; "
+        "worst frame %d with %llu\n",
+        GetParam().c_str(), job.time.frames.frames().size(), static_cast<unsigned long long>(total.pixels),
+        static_cast<unsigned long long>(total.maskDiffers), static_cast<unsigned long long>(total.offBoundary),
+        static_cast<unsigned long long>(total.countDiffers), total.worstFrame,
+        static_cast<unsigned long long>(total.worst));
     EXPECT_EQ(total.offBoundary, 0u);
     EXPECT_EQ(total.skipsDiffer, 0u) << "skips must not change a bit of picture or masks";
     EXPECT_LE(double(total.maskDiffers), 1e-5 * double(total.pixels));
@@ -135,7 +136,8 @@ TEST_P(Sequence, PassAndFailAgree) {
 
 std::vector<std::string> sequences() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs")) {
         if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
     }
     std::sort(names.begin(), names.end());

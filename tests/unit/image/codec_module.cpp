@@ -25,7 +25,7 @@ void expectNotOpened(const std::vector<std::filesystem::path>& candidates, const
 }
 
 TEST(CodecModule, IsOneForAllThreads) {
-    prefetchCodec();
+    const std::future<void> prefetch = prefetchCodec();
     std::vector<const Codec*> seen(8);
     {
         std::vector<std::jthread> threads;
