@@ -66,6 +66,8 @@ pid_t start(const Launch& launch, const std::vector<std::string>& arguments, con
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<std::string> environment = launch.environment;
     for (char** variable = environ; *variable; ++variable) environment.emplace_back(*variable);
+    environment.emplace_back(
+        "ASAN_OPTIONS=detect_leaks=0");  // OpenGL drivers and the image libraries leak at their end
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
