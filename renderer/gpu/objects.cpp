@@ -30,8 +30,8 @@ Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data) : siz
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<deleteBuffer>(name);
-    // An empty buffer is given one word: a binding of size 0 is an error, and nothing reads it.
-    glNamedBufferStorage(name, GLsizeiptr(std::max<std::size_t>(sizeBytes, 16)), sizeBytes ? data : nullptr,
+    // An empty buffer is given a little: a binding of size 0 is an error, and nothing reads it.
+    glNamedBufferStorage(name, GLsizeiptr(sizeBytes ? sizeBytes : 16), sizeBytes ? data : nullptr,
                          GL_DYNAMIC_STORAGE_BIT);
     glObjectLabel(GL_BUFFER, name, -1, label);
 }

@@ -62,8 +62,8 @@ Composition compose(const Job& job, const GltfOptions& options) {
     composition.animations = chooseAnimations(scene, job);
 
     const double aspect = static_cast<double>(job.image.width) / job.image.height;
-    const std::vector<Moment> moments = momentsToFrame(scene, composition.animations);
     composition.cameraNode = chooseCamera(scene, job.camera);
+    const std::vector<Moment> moments = momentsToFrame(scene, composition.animations);
     if (composition.cameraNode == kNone)
         composition.cameraNode = addFramingCamera(scene, moments, aspect);
     else

@@ -36,10 +36,10 @@ bool seesNothing(const Scene& scene, const Moment& moment, const PlacedCamera& p
     bool insideOf[6] = {};
     for (const glm::dvec3& position : positionsOf(scene, moment)) {
         const glm::dvec3 p(viewFromWorld * glm::dvec4(position, 1.0));
-        const glm::dvec2 edge = camera.perspective ? half * -p.z : half;
-        const bool inside[6] = {p.x<edge.x, p.x> - edge.x, p.y<edge.y, p.y> - edge.y, -p.z > camera.znear,
-                                camera.zfar == 0.0 || -p.z < camera.zfar};
-        for (int i = 0; i < 6; ++i) insideOf[i] = insideOf[i] || inside[i];
+        const glm::dvec2 edge = half * (camera.perspective ? -p.z : 1.0);
+        const double beyond = camera.zfar > 0.0 ? camera.zfar + p.z : 1.0;
+        const double depths[] = {edge.x - p.x, edge.x + p.x, edge.y - p.y, edge.y + p.y, -p.z - camera.znear, beyond};
+        for (std::size_t i = 0; i < std::size(depths); ++i) insideOf[i] = insideOf[i] || depths[i] > 0.0;
     }
     return !std::all_of(std::begin(insideOf), std::end(insideOf), [](bool inside) { return inside; });
 }

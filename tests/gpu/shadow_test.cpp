@@ -286,6 +286,60 @@ TEST(Shadow, RandomSoups) {
     }
 }
 
+TEST(Shadow, MoreLightsThanOneGroupHolds) {
+    TestScene test;
+    test.add(ground(6.0f));
+    test.add(sphere(2)).translation = {0.0, 1.5, 0.0};
+    for (int i = 0; i < 70; ++i) {
+        const double angle = 0.09 * i;
+        test.addLight(i % 7 == 3 ? LightType::Directional : LightType::Point,
+                      {4.0 * std::cos(angle), 3.0 + 0.03 * i, 4.0 * std::sin(angle)});
+    }
+    const Moment moment = evaluate(test.scene, {}, 0.0);
+    const FramePixels pixels = render(test, CountTechnique::ZPass, "compute", true);
+    const FramePixels host = render(test, CountTechnique::ZFail, "cpu", true);
+    ASSERT_EQ(pixels.lights.size(), 70u);
+    for (const std::size_t l : {0u, 31u, 32u, 45u, 63u, 64u, 69u}) {
+        SCOPED_TRACE(l);
+        EXPECT_EQ(pixels.lights[l].shadow, host.lights[l].shadow);
+        const BruteForce bruteForce(test, moment, moment.lights[l], kWidth, kHeight);
+        const BruteForce::Mismatches mismatches = bruteForce.compare(pixels.lights[l].shadow, pixels.normalAndDepth);
+        EXPECT_EQ(mismatches.wrong, 0);
+        EXPECT_GT(mismatches.judged, kWidth);
+    }
+}
+
+TEST(Frame, NothingToSeeIsBackground) {
+    for (const bool withLight : {false, true}) {
+        TestScene test;
+        if (withLight) test.addLight(LightType::Point, {0.0, 1.0, 0.0});
+        FrameSettings settings;
+        settings.width = 8;
+        settings.height = 4;
+        settings.background = {0.25f, 0.5f, 0.75f};
+        const Moment moment = evaluate(test.scene, {}, 0.0);
+        FrameOutputs outputs;
+        outputs.shadows = outputs.counts = outputs.overdraw = outputs.geometry = outputs.figures = true;
+        Statistics statistics;
+        const FramePixels pixels = FrameRenderer(test.scene, moment, settings, context())
+                                       .render(moment, test.placedCamera(), outputs, 1, statistics);
+        for (std::size_t i = 0; i < 32; ++i) {
+            EXPECT_EQ(pixels.radiance[4 * i], 0.25f);
+            EXPECT_EQ(pixels.radiance[4 * i + 2], 0.75f);
+            EXPECT_TRUE(std::isinf(pixels.normalAndDepth[4 * i + 3]));
+        }
+    }
+}
+
+TEST(Frame, WithoutLightsThereIsStillGeometry) {
+    TestScene test;
+    test.add(ground(6.0f));
+    const FramePixels pixels = render(test, CountTechnique::ZPass, "compute", true);
+    const float* centre = &pixels.normalAndDepth[4 * (std::size_t(kHeight) / 2 * kWidth + kWidth / 2)];
+    EXPECT_NEAR(centre[1], 1.0f, 1e-3f);
+    EXPECT_NEAR(centre[3], std::sqrt(68.0f), 0.3f);  // from (0, 2, 8) to the origin, half a pixel aside
+}
+
 TEST(Shadow, D1FarFromTheOrigin) {
     TestScene near;
     near.add(ground(6.0f));

@@ -376,19 +376,66 @@ TEST_F(Compose, ASceneWithoutCameraIsFramedWhole) {
         const int width = std::stoi(size + 1),
                   height = std::stoi(std::string(size).substr(std::string(size).find(',') + 1));
         const double aspect = static_cast<double>(width) / height;
-        const glm::dmat4 clipFromWorld =
-            glm::perspective(placed.camera.yfov, aspect, placed.camera.znear, placed.camera.zfar) *
-            glm::inverse(placed.worldFromCamera);
-        double extent = 0.0;
+        const glm::dmat4 clipFromWorld = glm::infinitePerspective(placed.camera.yfov, aspect, placed.camera.znear) *
+                                         glm::inverse(placed.worldFromCamera);
+        glm::dvec2 low(1.0), high(-1.0);
         for (const glm::dvec3 corner : {glm::dvec3(0, 0, 0), glm::dvec3(5, 0, 0), glm::dvec3(0, 5, 0)}) {
             const glm::dvec4 clip = clipFromWorld * glm::dvec4(corner + glm::dvec3(100, 20, -7), 1.0);
-            for (int axis = 0; axis < 2; ++axis) extent = std::max(extent, std::abs(clip[axis] / clip.w));
-            EXPECT_GT(clip.z, 0.0);
-            EXPECT_LT(clip.z, clip.w);
+            low = glm::min(low, glm::dvec2(clip) / clip.w);
+            high = glm::max(high, glm::dvec2(clip) / clip.w);
+            EXPECT_GT(clip.w, placed.camera.znear);
         }
-        EXPECT_LT(extent, 1.0) << "it is cut off";
-        EXPECT_GT(extent, 0.5) << "it is small";
+        EXPECT_NEAR(std::max(high.x, high.y), 0.9, 1e-6) << "as large as it gets, less a margin";
+        for (int axis = 0; axis < 2; ++axis) EXPECT_NEAR(low[axis], -high[axis], 1e-6) << "not in the middle";
+        EXPECT_EQ(placed.camera.zfar, 0.0);
     }
+}
+
+TEST_F(Compose, TheFramingCameraIsTheSameForEveryFrameAndSeesTheWholeAnimation) {
+    Json walking = room();
+    walking["nodes"][0]["children"] = {5};
+    write("walking.gltf", walking);
+    std::vector<glm::dmat4> cameras;
+    for (const char* frames : {"1", "24", "1-48"}) {
+        const Composition seen = composed("- gltf: walking.gltf\n",
+                                          std::string("image: {size: [64, 64]}\ntime: {frames: ") + frames + "}\n");
+        for (const double seconds : {0.0, 1.0}) {
+            const Moment moment = evaluate(seen.scene, seen.animations, seconds);
+            const PlacedCamera placed = placeCamera(seen.scene, moment, seen.cameraNode);
+            cameras.push_back(placed.worldFromCamera);
+            for (const glm::dvec3& position : positionsOf(seen.scene, moment)) {
+                const glm::dvec4 clip = glm::infinitePerspective(placed.camera.yfov, 1.0, placed.camera.znear) *
+                                        glm::inverse(placed.worldFromCamera) * glm::dvec4(position, 1.0);
+                EXPECT_LT(std::max(std::abs(clip.x), std::abs(clip.y)), clip.w) << frames << " at " << seconds;
+            }
+        }
+    }
+    for (const glm::dmat4& camera : cameras) EXPECT_EQ(camera, cameras.front());
+}
+
+TEST_F(Compose, ACameraThatLooksAwayIsSaidToSeeNothing) {
+    const std::string nothing = "the camera /camera sees nothing";
+    for (const char* away : {"{position: [0, 0, 5], target: [0, 0, 9]}", "{position: [0, 0, 5], target: [9, 0, 5]}",
+                             "{position: [0, 0, 5], zfar: 4}", "{position: [0, 0, 5], znear: 6}",
+                             "{position: [7, 0, 5], target: [7, 0, 0], type: orthographic, ymag: 3, zfar: 9}"}) {
+        EXPECT_THAT(composed(kFigure, std::string("camera: ") + away + "\n").scene.notes,
+                    testing::Contains(HasSubstr(nothing)))
+            << away;
+    }
+    EXPECT_THAT(composed(kFigure, "camera: {position: [0, 0, 5]}\n").scene.notes,
+                testing::Not(testing::Contains(HasSubstr(nothing))));
+    EXPECT_THAT(
+        composed(kFigure, "camera: {position: {0: [0, 0, 5], 1: [0, 0, 5]}, target: {0: [0, 0, 9.5], 1: [1, 0, 0]}}\n")
+            .scene.notes,
+        testing::Not(testing::Contains(HasSubstr(nothing))))
+        << "it turns round";
+}
+
+TEST_F(Compose, DefaultLightsComeWithAnAmbientTermUnlessTheJobHasOne) {
+    EXPECT_GT(composed(kFigure).ambientSky.g, composed(kFigure).ambientGround.g);
+    EXPECT_GT(composed(kFigure).ambientGround.g, 0.0f);
+    EXPECT_EQ(composed(kFigure, "image: {ambient: [.5, .25, 1]}\n").ambientSky, glm::vec3(.5f, .25f, 1.0f));
+    EXPECT_EQ(composed(kRoom).ambientSky, glm::vec3(0.0f)) << "lights of the file are left alone";
 }
 
 TEST_F(Compose, ASceneWithoutLightsIsLitFromTheCamera) {
@@ -409,7 +456,7 @@ TEST_F(Compose, AnEmptySceneStillHasACameraAndLights) {
     write("empty.gltf", empty);
     const Composition seen = composed("- gltf: empty.gltf\n");
     EXPECT_NE(seen.cameraNode, kNone);
-    EXPECT_EQ(seen.scene.notes.size(), 2u);
+    EXPECT_EQ(seen.scene.notes.size(), 2u) << "a camera and lights";
 }
 
 TEST_F(Compose, DisplacementsAreLaidOnMeshes) {
