@@ -19,10 +19,14 @@ enum ExitCode {
 
 inline ExitCode exitCodeOf(ErrorKind kind) {
     switch (kind) {
-        case ErrorKind::Usage: return kUsage;
-        case ErrorKind::Input: return kBadInput;
-        case ErrorKind::Device: return kNoDevice;
-        default: return kOutputFailed;
+        case ErrorKind::Usage:
+            return kUsage;
+        case ErrorKind::Input:
+            return kBadInput;
+        case ErrorKind::Device:
+            return kNoDevice;
+        default:
+            return kOutputFailed;
     }
 }
 

@@ -3,13 +3,26 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 #include <utility>
 
+#include "error.h"
+
 namespace umbrage {
+namespace {
+
+// A 4K frame with all AOVs is half a gigabyte: workers may be many, waiting frames not.
+constexpr std::size_t kMostWaiting = 2;
+
+}  // namespace
 
 WriteQueue::WriteQueue(int workerCount, std::function<void(const Item&)> write) : write_(std::move(write)) {
     if (workerCount <= 0) workerCount = std::max(1, int(std::thread::hardware_concurrency()) - 1);
-    for (int i = 0; i < workerCount; ++i) workers_.emplace_back([this] { work(); });
+    try {
+        for (int i = 0; i < workerCount; ++i) workers_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+        if (workers_.empty()) throw Error(ErrorKind::Output, "", "no thread can be started to write files");
+    }
 }
 
 WriteQueue::~WriteQueue() {
@@ -26,7 +39,7 @@ void WriteQueue::rethrow() {
 
 void WriteQueue::push(Item item) {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return waiting_.size() < workers_.size() || error_; });
+    changed_.wait(lock, [&] { return waiting_.size() < kMostWaiting || error_; });
     rethrow();
     waiting_.push_back(std::move(item));
     changed_.notify_all();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Worker threads that write finished frames while the next is rendered. Bounded: when all workers are busy and as many
+// Worker threads that write finished frames while the next is rendered. Bounded: when all workers are busy and a few
 // frames wait, push() waits, so memory stays bounded too.
 #pragma once
 

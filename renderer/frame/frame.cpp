@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <bit>
+#include <functional>
 
 #include "error.h"
 #include "gpu/profiler.h"
@@ -21,6 +21,9 @@
 
 namespace umbrage {
 namespace {
+
+/// Where a light's planes go.
+using PlanesOf = std::function<LightPlanes&(const PlacedLight*)>;
 
 /// Lights that are on, in the moment's order; the others reach nothing and are skipped.
 std::vector<const PlacedLight*> lightsThatShine(const Moment& moment) {
@@ -75,7 +78,7 @@ struct FrameRenderer::Impl {
     CountSettings findCasters(const Eye& eye, bool halve);
     void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
     void castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
-                     int frame, Statistics& statistics, FramePixels& pixels);
+                     int frame, Statistics& statistics, const PlanesOf& planesOf);
     void recordLight(const std::string& id, std::uint32_t l, const VolumeTotals& totals, int frame,
                      Statistics& statistics) const;
     void recordFrame(const Moment& moment, std::size_t shining, int frame, Statistics& statistics) const;
@@ -144,7 +147,7 @@ void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vec
 
 void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights,
                                       const FrameOutputs& outputs, int frame, Statistics& statistics,
-                                      FramePixels& pixels) {
+                                      const PlanesOf& planesOf) {
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
     const CountSettings countSettings = findCasters(eye, halve);
@@ -156,8 +159,7 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
         begin("time.silhouettes");
         std::uint32_t byFail = settings.count == CountTechnique::ZFail ? ~0u : 0u;
         for (std::uint32_t l = 0; l < group.count; ++l) {
-            // Caps of both ends would be needed where there is no constant; without view rays that cross sides,
-            // z-pass needs neither (T5).
+            // z-fail has no constant there and would need caps of both ends; z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
         markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
@@ -166,21 +168,19 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
-            const std::vector<CountPlan> plans = planCounts(silhouettes, group, l, layers[l], countSettings);
+            const std::vector<CountPlan> plans = planCounts(
+                silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings);
             masks->count(plans, volumes, geometry, silhouettes, group, l);
             profiler.pass(gpu::Profiler::kNoPass);
-            if (outputs.counts) {
-                LightPlanes& planes = pixels.lights[first + l];
-                planes.counts.assign(std::size_t(settings.width) * std::size_t(settings.height), 0);
-                if (!plans.empty()) planes.counts = masks->readCounts(plans.back());
-            }
+            LightPlanes& planes = planesOf(lights[first + l]);
+            if (outputs.counts && !plans.empty()) planes.counts = masks->readCounts(plans.back());
             VolumeTotals totals;
             if (outputs.overdraw) {
                 totals = overdraw->add(plans, volumes, geometry, silhouettes, group, l);
             } else if (outputs.figures) {
                 totals = countVolumeSamples(gbuffer.depthOnly, plans, volumes, geometry, silhouettes, group, l);
             }
-            if (outputs.figures) recordLight(pixels.lights[first + l].id, l, totals, frame, statistics);
+            if (outputs.figures) recordLight(planes.id, l, totals, frame, statistics);
         }
     }
 }
@@ -232,7 +232,16 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     const Eye eye = makeEye(camera, r.settings.width, r.settings.height);
     const std::vector<const PlacedLight*> lights = lightsThatShine(moment);
     FramePixels pixels;
-    for (const PlacedLight* light : lights) pixels.lights.push_back({light->id, {}, {}});
+    const std::size_t pixelCount = std::size_t(r.settings.width) * std::size_t(r.settings.height);
+    for (const PlacedLight& light : moment.lights) {
+        LightPlanes& planes = pixels.lights.emplace_back();
+        planes.id = light.id;
+        if (outputs.shadows) planes.shadow.assign(pixelCount, 0.0f);
+        if (outputs.counts) planes.counts.assign(pixelCount, 0);
+    }
+    const PlanesOf planesOf = [&](const PlacedLight* light) -> LightPlanes& {
+        return pixels.lights[std::size_t(light - moment.lights.data())];
+    };
     if (outputs.overdraw && !r.overdraw) r.overdraw = std::make_unique<Overdraw>(r.gbuffer.depthStencil);
 
     r.begin("time.position");
@@ -241,15 +250,16 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.begin("time.gbuffer");
     r.gbuffer.begin();
     r.surfaces.drawOpaque(r.geometry, r.materials, eye);
-    r.castShadows(eye, lights, outputs, frame, statistics, pixels);
+    r.castShadows(eye, lights, outputs, frame, statistics, planesOf);
     r.begin("time.resolve");
     r.resolve.shade(r.gbuffer, *r.masks, r.silhouettes);
     if (r.surfaces.anyBlended()) {
         r.begin("time.blended");
-        r.surfaces.drawBlended(r.geometry, r.materials, eye);
+        r.surfaces.drawBlended(r.geometry, r.materials, eye, r.boxes);
     }
     r.begin("time.readback");
     pixels.radiance = r.resolve.readRadiance();
+    gpu::checkGl("while rendering");
     r.profiler.pass(gpu::Profiler::kNoPass);
 
     if (outputs.geometry) {
@@ -260,8 +270,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         for (std::uint32_t first = 0; first < lights.size(); first += 4) {
             const std::vector<float> four = r.resolve.readShadows(r.gbuffer, *r.masks, r.silhouettes, first);
             for (std::size_t l = first; l < std::min<std::size_t>(first + 4, lights.size()); ++l) {
-                std::vector<float>& shadow = pixels.lights[l].shadow;
-                shadow.resize(four.size() / 4);
+                std::vector<float>& shadow = planesOf(lights[l]).shadow;
                 for (std::size_t i = 0; i < shadow.size(); ++i) shadow[i] = four[4 * i + l - first];
             }
         }

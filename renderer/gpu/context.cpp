@@ -141,7 +141,8 @@ Context::Context(const std::string& device) {
         throw Error(ErrorKind::Device, "", fmt::format("no usable OpenGL device for '{}'{}", device, tried),
                     device == "auto" ? kHint : "give the index or part of the name of one that umbrage devices lists");
     }
-    // Opening another device meanwhile may have made its context current, or none.
+    // Opening and closing others has changed what is current.
+    software.reset();
     eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context);
 }
 
@@ -166,12 +167,6 @@ int Context::maxTextureSize() const {
     GLint size = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
     return size;
-}
-
-int Context::subpixelBits() const {
-    GLint bits = 0;
-    glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
-    return bits;
 }
 
 }  // namespace umbrage::gpu

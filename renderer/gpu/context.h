@@ -31,7 +31,6 @@ public:
     const DeviceInfo& info() const;
     int maxSamples() const;  // of colour, integer and depth textures alike
     int maxTextureSize() const;
-    int subpixelBits() const;
 
 private:
     friend std::vector<DeviceInfo> listDevices();

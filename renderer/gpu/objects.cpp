@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/objects.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <stdexcept>
+
+#include "error.h"
 
 namespace umbrage::gpu {
 
@@ -16,14 +19,19 @@ void deleteTexture(GLuint name) {
 void deleteFramebuffer(GLuint name) {
     glDeleteFramebuffers(1, &name);
 }
-void deleteSampler(GLuint name) {
-    glDeleteSamplers(1, &name);
-}
 void deleteVertexArray(GLuint name) {
     glDeleteVertexArrays(1, &name);
 }
 void deleteQuery(GLuint name) {
     glDeleteQueries(1, &name);
+}
+
+void checkGl(const std::string& doing) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) return;
+    const char* what = error == GL_OUT_OF_MEMORY ? "the device is out of memory, error" : "error";
+    throw Error(ErrorKind::Device, "", fmt::format("OpenGL failed {}: {} 0x{:x}", doing, what, error),
+                "a smaller picture, fewer samples or fewer lights need less");
 }
 
 Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data) : sizeBytes_(sizeBytes) {
@@ -34,6 +42,7 @@ Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data) : siz
     glNamedBufferStorage(name, GLsizeiptr(sizeBytes ? sizeBytes : 16), sizeBytes ? data : nullptr,
                          GL_DYNAMIC_STORAGE_BIT);
     glObjectLabel(GL_BUFFER, name, -1, label);
+    checkGl(fmt::format("to make the buffer '{}' of {} bytes", label, sizeBytes));
 }
 
 void Buffer::write(std::size_t offsetBytes, std::size_t sizeBytes, const void* data) {
@@ -89,6 +98,7 @@ Texture::Texture(const char* label, GLenum internalFormat, const Size& size) : s
         glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
     glObjectLabel(GL_TEXTURE, name, -1, label);
+    checkGl(fmt::format("to make the texture '{}' of {} x {} x {} samples", label, size.width, size.height, size.samples));
 }
 
 void Texture::bind(GLuint unit) const {
@@ -119,7 +129,9 @@ Framebuffer::Framebuffer(const char* label, std::span<const Attachment> colors, 
     glNamedFramebufferDrawBuffers(name, GLsizei(outputs.size()), outputs.data());
     glObjectLabel(GL_FRAMEBUFFER, name, -1, label);
     if (const GLenum status = glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE) {
-        throw std::logic_error(std::string("framebuffer ") + label + " is incomplete: " + std::to_string(status));
+        throw Error(ErrorKind::Device, "",
+                    fmt::format("the device cannot draw into '{}' of {} x {} pixels (0x{:x})", label, width_, height_, status),
+                    "a smaller picture or fewer samples need less");
     }
 }
 
@@ -177,14 +189,6 @@ std::uint64_t SampleQuery::result() const {
     GLuint64 samples = 0;
     glGetQueryObjectui64v(handle_.get(), GL_QUERY_RESULT, &samples);
     return samples;
-}
-
-DebugGroup::DebugGroup(const char* label) {
-    glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, label);
-}
-
-DebugGroup::~DebugGroup() {
-    glPopDebugGroup();
 }
 
 }  // namespace umbrage::gpu

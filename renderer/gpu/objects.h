@@ -35,9 +35,11 @@ private:
 void deleteBuffer(GLuint name);
 void deleteTexture(GLuint name);
 void deleteFramebuffer(GLuint name);
-void deleteSampler(GLuint name);
 void deleteVertexArray(GLuint name);
 void deleteQuery(GLuint name);
+
+/// @throws Error(Device) if GL reports an error since the last call; `doing` completes "OpenGL failed ..."
+void checkGl(const std::string& doing);
 
 /// Device memory. Grows by being made anew: contents are not kept.
 class Buffer {
@@ -144,15 +146,6 @@ public:
 
 private:
     Handle<deleteQuery> handle_;
-};
-
-/// A named group in the command stream, for debuggers.
-class DebugGroup {
-public:
-    explicit DebugGroup(const char* label);
-    ~DebugGroup();
-    DebugGroup(const DebugGroup&) = delete;
-    DebugGroup& operator=(const DebugGroup&) = delete;
 };
 
 }  // namespace umbrage::gpu

@@ -18,9 +18,6 @@ public:
     Profiler(const Profiler&) = delete;
     Profiler& operator=(const Profiler&) = delete;
 
-    bool enabled() const { return enabled_; }
-    const char* clock() const { return wallClock_ ? "wall clock between glFinish" : "GPU timer queries"; }
-
     static constexpr int kNoPass = -1;
     /// Ends the running pass, if any, and begins one; kNoPass only ends. A pass may recur: times add up.
     void pass(int id);

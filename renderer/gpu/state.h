@@ -26,6 +26,7 @@ struct RasterState {
     int clipDistances = 0;    // how many gl_ClipDistance are on
     Cull cull = Cull::None;
     bool frontIsClockwise = false;
+    bool everySample = false;  // run the fragment shader for each sample
     ColorOp color = ColorOp::Off;
     Stencil stencil;
 };
@@ -33,7 +34,7 @@ struct RasterState {
 /// Depth is reversed: nearer is greater (design.md section 2, rule 4).
 void apply(const RasterState& state);
 
-/// Once per context: [0,1] clip control, no dithering, seamless cube maps.
+/// Once per context: [0, 1] depth, rows from the top, no dithering, packed rows.
 void applyDefaults();
 
 }  // namespace umbrage::gpu

@@ -12,8 +12,8 @@ namespace {
 /// The bits of everything that moves a vertex, so that equal keys can never separate.
 class VertexKeys {
 public:
-    explicit VertexKeys(const Mesh& mesh) {
-        width_ = 3 + 6 * mesh.influenceSets() + 3 * mesh.morphTargets.size();
+    VertexKeys(const Mesh& mesh, std::span<const glm::vec3> displacedAlong) {
+        width_ = 3 + 6 * mesh.influenceSets() + 3 * mesh.morphTargets.size() + (displacedAlong.empty() ? 0 : 3);
         words_.resize(width_ * mesh.positions.size());
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
             std::uint32_t* key = &words_[v * width_];
@@ -24,6 +24,7 @@ public:
                 std::memcpy(key + 2, &mesh.weights[s], sizeof mesh.weights[s]);
                 key += 6;
             }
+            if (!displacedAlong.empty()) key = put(key, displacedAlong[v]);
             for (const MorphTarget& target : mesh.morphTargets) {
                 key = put(key, target.positions.empty() ? glm::vec3(0.0f) : target.positions[v]);
             }
@@ -111,8 +112,8 @@ void appendRecords(std::span<const HalfEdge> halves, std::vector<MeshEdge>& edge
 
 }  // namespace
 
-std::vector<std::uint32_t> weldVertices(const Mesh& mesh) {
-    const VertexKeys keys(mesh);
+std::vector<std::uint32_t> weldVertices(const Mesh& mesh, std::span<const glm::vec3> displacedAlong) {
+    const VertexKeys keys(mesh, displacedAlong);
     std::vector<std::uint32_t> order(mesh.positions.size());
     std::iota(order.begin(), order.end(), 0u);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -127,7 +128,27 @@ std::vector<std::uint32_t> weldVertices(const Mesh& mesh) {
     return welded;
 }
 
-MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials) {
+std::vector<glm::vec3> normalsOf(const Mesh& mesh) {
+    std::vector<glm::vec3> normals = mesh.normals;
+    normals.resize(mesh.positions.size(), glm::vec3(0.0f));
+    const auto missing = [](const glm::vec3& n) { return n == glm::vec3(0.0f); };
+    if (std::none_of(normals.begin(), normals.end(), missing)) return normals;
+    const std::vector<std::uint32_t> welded = weldVertices(mesh);
+    std::vector<glm::vec3> sums(normals.size(), glm::vec3(0.0f));
+    for (std::uint32_t i = 0; i < 3 * mesh.triangleCount(); i += 3) {
+        const auto p = [&](std::uint32_t k) { return mesh.positions[mesh.indices[i + k]]; };
+        const glm::vec3 area = glm::cross(p(1) - p(0), p(2) - p(0));
+        for (std::uint32_t k = 0; k < 3; ++k) sums[welded[mesh.indices[i + k]]] += area;
+    }
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+        const glm::vec3 sum = sums[welded[v]];
+        if (missing(normals[v])) normals[v] = glm::length(sum) > 0.0f ? glm::normalize(sum) : glm::vec3(0, 0, 1);
+    }
+    return normals;
+}
+
+MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials,
+                           std::span<const glm::vec3> displacedAlong) {
     const std::uint32_t triangleCount = mesh.triangleCount();
     MeshTopology topology;
     topology.casts.assign(triangleCount, true);
@@ -139,7 +160,7 @@ MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials
             topology.casts[(primitive.firstIndex + i) / 3] = false;
     }
 
-    const std::vector<std::uint32_t> welded = weldVertices(mesh);
+    const std::vector<std::uint32_t> welded = weldVertices(mesh, displacedAlong);
     std::vector<HalfEdge> halves;
     halves.reserve(3 * std::size_t(triangleCount));
     std::vector<bool> vertexUsed(welded.size());

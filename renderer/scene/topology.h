@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The edges of a mesh's casting triangles, for any triangle soup (algorithms.md 1.0, 1.11, 1.13 R3; T3).
 //
-// Vertices that can never separate (equal positions, and equal joints, weights and morph displacements) are welded by
-// exact bits. Every edge record names two vertices a < b in canonical order and at most two triangles; an edge with
+// Vertices that can never separate (equal positions, and equal joints, weights, morph displacements and, where a
+// procedure moves vertices along them, normals) are welded by exact bits. Every edge record names two vertices a < b in canonical order and at most two triangles; an edge with
 // more triangles has several records, which is right because counts are sums.
 #pragma once
 
@@ -38,9 +38,14 @@ struct MeshTopology {
 };
 
 /// @param materials  those the mesh's primitives name
-MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials);
+/// @param displacedAlong  a normal a vertex, where a procedure will move them; else empty
+MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials,
+                           std::span<const glm::vec3> displacedAlong = {});
 
 /// For each vertex of the mesh the lowest one it is welded to.
-std::vector<std::uint32_t> weldVertices(const Mesh& mesh);
+std::vector<std::uint32_t> weldVertices(const Mesh& mesh, std::span<const glm::vec3> displacedAlong = {});
+
+/// The mesh's normals; where it has none, the area-weighted mean of the triangles at each welded vertex.
+std::vector<glm::vec3> normalsOf(const Mesh& mesh);
 
 }  // namespace umbrage

@@ -12,7 +12,8 @@ struct Shading {
 vec3 reflectance(Shading s, vec3 l) {
     float nl = dot(s.n, l), nv = max(abs(dot(s.n, s.v)), 1e-4);
     if (nl <= 0.0) return vec3(0.0);
-    vec3 h = normalize(l + s.v);
+    vec3 between = l + s.v;
+    vec3 h = between * inversesqrt(max(dot(between, between), 1e-20));  // 0 where they are opposite
     float nh = clamp(dot(s.n, h), 0.0, 1.0), vh = clamp(dot(s.v, h), 0.0, 1.0);
     float alpha = max(s.roughness * s.roughness, 1e-3);  // a mirror would turn a point light into nothing
     float a2 = alpha * alpha;

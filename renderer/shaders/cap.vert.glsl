@@ -25,13 +25,14 @@ layout(location = 5) uniform uint byFail;     // draw the casters counted by z-f
 layout(location = 6) uniform uint clockwise;  // CAP_TRUE only: draw the triangles whose outward cap is clockwise
 
 out gl_PerVertex {
-    vec4 gl_Position;
+    invariant vec4 gl_Position;
     float gl_ClipDistance[1];
 };
 
 bool inDepthBuffer(uint instance, uint placed, uint flags) {
     if ((flags & TRIANGLE_HOLED) != 0u) return false;
-    bool seenFromBehind = view.perspective != 0u ? planes[placed].w < 0.0 : planes[placed].z < 0.0;
+    bool seenFromBehind = (view.perspective != 0u ? planes[placed].w < 0.0 : planes[placed].z < 0.0) !=
+                          ((instances[instance].flags & INSTANCE_INSIDE_OUT) != 0u);
     return !(seenFromBehind && (flags & TRIANGLE_SINGLE_SIDED) != 0u && casters[instance].exposed != 0u);
 }
 

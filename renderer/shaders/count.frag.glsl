@@ -4,7 +4,7 @@
 // With EDGE_ON, for side quads that are seen nearly edge-on: a sliver on screen, snapped to the rasteriser's grid, covers
 // pixels whose centres the true quad misses, and there interpolation carries its steep depth far beyond its own range,
 // to the wrong side of what is seen (found as single wrong pixels with the eye exactly in a quad's plane, where neither
-// z-pass nor z-fail helps). So the depth is held between those of the quad's two lateral lines at this place.
+// z-pass nor z-fail helps). So the depth is held between those of the quad's own borders at this place.
 // variant: SIGNED 1
 // variant: EDGE_ON 1
 // variant: STENCIL_ONLY 1
@@ -18,19 +18,29 @@ layout(location = 1) flat in vec4 farA;
 layout(location = 2) flat in vec4 nearB;
 layout(location = 3) flat in vec4 farB;
 
-/// Depth of the line near + t far (t >= 0) where it passes the pixel, measured along the axis it runs along.
-float depthOfLine(vec4 near, vec4 far, vec2 ndc) {
-    vec2 slope = far.xy - ndc * far.w, offset = ndc * near.w - near.xy;
-    float t = abs(slope.x) > abs(slope.y) ? offset.x / slope.x : offset.y / slope.y;
-    t = t > 0.0 ? min(t, 1e30) : 0.0;
-    float w = near.w + t * far.w;
-    return w > 0.0 ? clamp((near.z + t * far.z) / w, 0.0, 1.0) : 1.0;
+/// Where a border p + t q (0 <= t <= last) of the quad crosses the pixel's coordinate along `axis`: widens `range` by the
+/// depth there.
+void crossBorder(inout vec2 range, inout int crossings, vec4 p, vec4 q, float last, vec2 ndc, int axis) {
+    float t = (ndc[axis] * p.w - p[axis]) / (q[axis] - ndc[axis] * q.w);
+    float w = p.w + t * q.w;
+    if (!(t >= 0.0 && t <= last && w > 0.0)) return;  // also when t is no number; behind the eye is no crossing
+    float depth = clamp((p.z + t * q.z) / w, 0.0, 1.0);
+    range = vec2(min(range.x, depth), max(range.y, depth));
+    ++crossings;
 }
 
 void holdDepth() {
     vec2 ndc = vec2(gl_FragCoord.x * view.pixelSize.x - 1.0, 1.0 - gl_FragCoord.y * view.pixelSize.y);
-    float a = depthOfLine(nearA, farA, ndc), b = depthOfLine(nearB, farB, ndc);
-    gl_FragDepth = clamp(gl_FragCoord.z, min(a, b), max(a, b));
+    vec2 along = abs(farA.xy - ndc * farA.w) + abs(farB.xy - ndc * farB.w);
+    int axis = along.x > along.y ? 0 : 1;  // the one a sliver runs along
+    vec2 range = vec2(2.0, -1.0);
+    int crossings = 0;
+    crossBorder(range, crossings, nearA, farA, 1e30, ndc, axis);
+    crossBorder(range, crossings, nearB, farB, 1e30, ndc, axis);
+    crossBorder(range, crossings, nearA, nearB - nearA, 1.0, ndc, axis);
+    crossBorder(range, crossings, farA, farB - farA, 1.0, ndc, axis);
+    // Between two borders lies all of the quad at this coordinate; with fewer it runs out of the picture.
+    gl_FragDepth = crossings >= 2 ? clamp(gl_FragCoord.z, range.x, range.y) : gl_FragCoord.z;
 }
 #else
 layout(early_fragment_tests) in;

@@ -114,9 +114,9 @@ void main() {
             for (uint r = 0u; r < 3u; ++r) rows[r] = joints[3u * firstJoint + r];
         }
         p = vec3(dot(rows[0], vec4(p, 1.0)), dot(rows[1], vec4(p, 1.0)), dot(rows[2], vec4(p, 1.0)));
-        // Cofactors take normals along, also under uneven scale (their sign follows a mirroring joint).
+        // Cofactors take normals along, also under uneven scale; a mirroring joint would turn them inwards.
         mat3 c = mat3(cross(rows[1].xyz, rows[2].xyz), cross(rows[2].xyz, rows[0].xyz), cross(rows[0].xyz, rows[1].xyz));
-        n = n * c;
+        n = n * c * (dot(rows[0].xyz, c[0]) < 0.0 ? -1.0 : 1.0);
         t.xyz = vec3(dot(rows[0].xyz, t.xyz), dot(rows[1].xyz, t.xyz), dot(rows[2].xyz, t.xyz));
     }
     uint v = firstVertex + i;

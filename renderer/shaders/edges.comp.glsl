@@ -40,7 +40,8 @@ bool hazardous(vec4 eye, vec4 light, vec3 a, vec3 b) {
         return alongU * length(u) > -kMargin * scale && alongV * length(v) > -kMargin * scale;
     }
     if (light.w == 0.0) {
-        return alongU > -kMargin && alongU < 1.0 + kMargin && alongV > -kMargin * (length(u) + length(e));
+        return alongU > -kMargin && alongU < 1.0 + kMargin && 
+               alongV * length(v) > -kMargin * (length(u) + length(e));
     }
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0 - kMargin;
 }

@@ -26,5 +26,5 @@ void main() {
     outBaseColor = vec4(s.lit ? s.baseColor : vec3(0.0), 1.0);
     outNormal = octahedronFromUnit(s.normal);
     outProperties = vec4(s.metallic, s.roughness, s.occlusion, s.lit ? 1.0 : 0.0);
-    outEmissive = vec4(s.emissive, 1.0);
+    outEmissive = vec4(min(s.emissive, 65504.0), 1.0);  // the largest half: finite stays finite
 }

@@ -72,7 +72,8 @@ using mat4 = glm::mat4;
 
 // InstanceData::flags
 #define INSTANCE_MIRRORED 1u  // negative determinant: front faces run clockwise on screen
-#define INSTANCE_WHOLE 2u     // counted with all its surfaces, not halved (see shadow/volumes.h)
+#define INSTANCE_WHOLE 2u       // counted with all its surfaces, not halved (see shadow/counts.h)
+#define INSTANCE_INSIDE_OUT 4u  // its evaluated positions are mirrored: what the file calls front runs clockwise
 
 // A placed triangle: InstanceData::placedTriangleBase + triangle of the mesh. Background and lines have none.
 #define NO_TRIANGLE 0xffffffffu
@@ -94,7 +95,7 @@ struct Edge {
 #define LIST_WHOLE 1   // all others, |m| quads an edge, counted by z-pass
 #define LIST_FAIL 2    // |m| quads an edge, counted by z-fail
 #define LIST_KINDS 3
-// Each list in two: quads seen nearly edge-on are kept apart, at kind + LIST_EDGE_ON (see edge_on.frag.glsl).
+// Each list in two: quads seen nearly edge-on are kept apart, at kind + LIST_EDGE_ON (see count.frag.glsl).
 #define LIST_EDGE_ON LIST_KINDS
 #define LIST_COUNT (2 * LIST_KINDS)
 #define EDGE_ON_SINE 0.0078125  // of the angle between the quad's plane and the direction to its edge

@@ -35,8 +35,8 @@ ShadowLight shadowLight(const PlacedLight& placed) {
 
 bool parallelToView(const PlacedLight& placed, const Eye& eye) {
     if (eye.perspective || placed.light.type != LightType::Directional) return false;
-    const glm::vec3 direction(eye.viewFromWorld * glm::dvec4(placed.direction, 0.0));
-    return direction.x == 0.0f && direction.y == 0.0f;
+    const glm::dvec3 direction(eye.viewFromWorld * glm::dvec4(placed.direction, 0.0));
+    return std::hypot(direction.x, direction.y) < 0x1p-24;
 }
 
 }  // namespace umbrage

@@ -18,7 +18,7 @@ bool isOn(const Light& light);
 gpu::LightData lightData(const PlacedLight& placed, const Eye& eye);
 ShadowLight shadowLight(const PlacedLight& placed);
 
-/// Directional and exactly along the view of an orthographic eye (T5).
+/// Directional and, up to float rounding, along the view of an orthographic eye (T5).
 bool parallelToView(const PlacedLight& placed, const Eye& eye);
 
 }  // namespace umbrage

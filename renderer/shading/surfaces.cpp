@@ -75,8 +75,8 @@ Surfaces::Surfaces(const Scene& scene, const Geometry& geometry)
     vertexArray_ = geometry.makeVertexArray(drawIds_);
 }
 
-bool Surfaces::mirrored(const Draw& draw, const Geometry& geometry) const {
-    return geometry.instances()[draw.instance].flags & INSTANCE_MIRRORED;
+bool Surfaces::frontIsClockwise(const Draw& draw, const Geometry& geometry) const {
+    return geometry.instances()[draw.instance].flags & (INSTANCE_MIRRORED | INSTANCE_INSIDE_OUT);
 }
 
 void Surfaces::submit(const Draw& draw, const Geometry& geometry) const {
@@ -96,18 +96,18 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, 
     state.color = gpu::ColorOp::Replace;
     state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
     std::uint32_t bound = ~0u;
-    bool boundMirrored = false;
+    bool boundClockwise = false;
     for (const Draw& draw : opaque_) {
-        const bool isMirrored = mirrored(draw, geometry);
-        if (draw.material != bound || isMirrored != boundMirrored) {
+        const bool isClockwise = frontIsClockwise(draw, geometry);
+        if (draw.material != bound || isClockwise != boundClockwise) {
             const Material& material = materials.material(draw.material);
             if (draw.material != bound) materials.bind(draw.material);
             state.cull = material.doubleSided ? gpu::Cull::None : gpu::Cull::Back;
-            state.frontIsClockwise = isMirrored;
+            state.frontIsClockwise = isClockwise;
             gpu::apply(state);
             (material.alphaMode == AlphaMode::Mask ? maskedProgram_ : opaqueProgram_).use();
             bound = draw.material;
-            boundMirrored = isMirrored;
+            boundClockwise = isClockwise;
         }
         submit(draw, geometry);
     }
@@ -129,17 +129,21 @@ void Surfaces::findExposed(const Geometry& geometry, const Materials& materials,
         gpu::apply(state);
         for (const Draw& draw : opaque_) {
             const bool culled = draw.mode == GL_TRIANGLES && !materials.material(draw.material).doubleSided;
-            if (culled && mirrored(draw, geometry) == clockwise) submit(draw, geometry);
+            if (culled && frontIsClockwise(draw, geometry) == clockwise) submit(draw, geometry);
         }
     }
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void Surfaces::drawBlended(const Geometry& geometry, const Materials& materials, const Eye& eye) {
+void Surfaces::drawBlended(const Geometry& geometry, const Materials& materials, const Eye& eye,
+                           std::span<const Geometry::Bounds> worldBoxes) {
     std::vector<std::pair<double, const Draw*>> order;
     for (const Draw& draw : blended_) {
-        const glm::dvec4 center =
-            eye.viewFromWorld * geometry.worldFromModel(draw.instance) * glm::dvec4(draw.center, 1.0);
+        const Geometry::Bounds& box = worldBoxes[draw.instance];
+        const glm::dvec4 inWorld = geometry.hasOwnVertices(draw.instance)
+                                       ? glm::dvec4(0.5 * (box.low + box.high), 1.0)
+                                       : geometry.worldFromModel(draw.instance) * glm::dvec4(draw.center, 1.0);
+        const glm::dvec4 center = eye.viewFromWorld * inWorld;
         order.emplace_back(center.z, &draw);
     }
     std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -153,7 +157,7 @@ void Surfaces::drawBlended(const Geometry& geometry, const Materials& materials,
     state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
     for (const auto& [z, draw] : order) {
         materials.bind(draw->material);
-        state.frontIsClockwise = mirrored(*draw, geometry);
+        state.frontIsClockwise = frontIsClockwise(*draw, geometry);
         for (const gpu::Cull cull : {gpu::Cull::Front, gpu::Cull::Back}) {
             if (cull == gpu::Cull::Front && !materials.material(draw->material).doubleSided) continue;
             state.cull = draw->mode == GL_TRIANGLES ? cull : gpu::Cull::None;

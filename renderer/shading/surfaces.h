@@ -27,7 +27,9 @@ public:
 
     bool anyBlended() const { return !blended_.empty(); }
     /// Back to front by the middle of each primitive's bounds; of double-sided ones the back faces first.
-    void drawBlended(const Geometry& geometry, const Materials& materials, const Eye& eye);
+    /// @param worldBoxes  per instance; places those that deform
+    void drawBlended(const Geometry& geometry, const Materials& materials, const Eye& eye,
+                     std::span<const Geometry::Bounds> worldBoxes);
 
     /// Per instance: it has alpha-masked triangles.
     const std::vector<bool>& holed() const { return holed_; }
@@ -41,7 +43,7 @@ private:
         glm::dvec3 center{0.0};  // of the primitive's bounds, in model space
     };
     void submit(const Draw& draw, const Geometry& geometry) const;
-    bool mirrored(const Draw& draw, const Geometry& geometry) const;
+    bool frontIsClockwise(const Draw& draw, const Geometry& geometry) const;
 
     std::vector<Draw> opaque_;  // sorted by material
     std::vector<Draw> blended_;

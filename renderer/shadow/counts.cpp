@@ -59,14 +59,14 @@ void addSides(CountPlan& plan, std::uint32_t list, Rule rule, const gpu::LightSu
 }  // namespace
 
 std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l,
-                                  std::uint32_t layerBound, const CountSettings& settings) {
+                                  std::uint32_t layerBound, bool parallelToView, const CountSettings& settings) {
     if (silhouettes.hostCasters.empty()) return {};
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
     const auto eyeInside = [&](std::uint32_t list) { return settings.eyeConstant ? int(summary.eyeInside[list]) : 0; };
     std::vector<CountPlan> plans;
 
     CountPlan halved;
-    addSides(halved, LIST_HALVED, Rule::Pass, summary);
+    if (!parallelToView) addSides(halved, LIST_HALVED, Rule::Pass, summary);
     halved.litValue = -eyeInside(LIST_HALVED) / 2;
     halved.wide = layerBound > 511;  // half of it is counted
     halved.allDark = eyeInside(LIST_HALVED) % 2 != 0;
@@ -76,7 +76,7 @@ std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGro
         return settings.holed[i] || silhouettes.hostCasters[i].exposed != 0;
     };
     CountPlan whole;
-    addSides(whole, LIST_WHOLE, Rule::Pass, summary);
+    if (!parallelToView) addSides(whole, LIST_WHOLE, Rule::Pass, summary);
     addCap(whole, CAP_NEAR, Rule::Always, silhouettes, l, [&](std::uint32_t i) { return settings.nearer[i]; });
     addCap(whole, CAP_TRUE, Rule::Pass, silhouettes, l, notInDepthBuffer);
     addSides(whole, LIST_FAIL, Rule::Fail, summary);
@@ -120,6 +120,7 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     vertexArray_.bind();
     program.use();
     if (part.kind == Kind::Sides) {
+        state.everySample = edgeOn;  // a depth of its own for each sample
         gpu::apply(state);
         drawSides(part, silhouettes, l);
     } else {

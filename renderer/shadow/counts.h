@@ -52,8 +52,9 @@ struct CountSettings {
 
 /// The halved and the whole count of light `l` of the group, as far as there is something to count.
 /// @param layerBound  no more layers than these lie between the light and any point
+/// @param parallelToView  the light is directional, along an orthographic view: no view ray crosses a side (T5)
 std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l,
-                                  std::uint32_t layerBound, const CountSettings& settings);
+                                  std::uint32_t layerBound, bool parallelToView, const CountSettings& settings);
 
 /// Draws parts of volumes into whatever framebuffer is bound.
 class VolumeRenderer {

@@ -7,10 +7,13 @@
 #include <cstring>
 #include <limits>
 
+#include "error.h"
+
 namespace umbrage {
 namespace {
 
 constexpr std::uint32_t kBoundsWords = 6;  // per deforming instance: min xyz, max xyz, as ordered integers
+constexpr std::uint64_t kMostPlaced = 500'000'000;  // triangles or edges: three vertices each must count in 31 bits
 constexpr std::uint32_t kMorphFloats = 9;  // per vertex and target: position, normal, tangent
 
 std::uint32_t roundUpToChunks(std::uint32_t count) {
@@ -27,6 +30,24 @@ gpu::Edge deviceEdge(const MeshEdge& edge, bool even) {
     if (even) e.left |= EDGE_EVEN;
     if (edge.right != MeshEdge::kNoTriangle && edge.rightReversed) e.right |= EDGE_REVERSED;
     return e;
+}
+
+/// Nodes whose scale, or an ancestor's, is animated: it may become 0, and a transform that cannot be inverted has no
+/// model space to decide facing in.
+std::vector<bool> nodesWhoseScaleMoves(const Scene& scene) {
+    std::vector<bool> moves(scene.nodes.size());
+    for (const std::vector<Animation>* animations : {&scene.animations, &scene.drivers}) {
+        for (const Animation& animation : *animations) {
+            for (const Channel& channel : animation.channels) {
+                if (channel.target == Target::Scale) moves[std::size_t(channel.node)] = true;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        const Index parent = scene.nodes[i].parent;  // comes before its children
+        if (parent != kNone && moves[std::size_t(parent)]) moves[i] = true;
+    }
+    return moves;
 }
 
 /// Rows of the upper 3x4, rounded once.
@@ -48,8 +69,14 @@ glm::dmat3 normalMatrix(const glm::dmat3& m) {
 
 Geometry::Geometry(const Scene& scene, const Moment& first) : deformProgram_("deform.comp") {
     topologies_.reserve(scene.meshes.size());
+    displaced_.resize(scene.meshes.size());
+    for (const Instance& placed : first.instances) {
+        if (placed.displacement != kNone) displaced_[std::size_t(placed.mesh)] = true;
+    }
     for (const Mesh& mesh : scene.meshes) {
-        MeshTopology topology = buildTopology(mesh, scene.materials);
+        const bool displaced = displaced_[topologies_.size()];
+        MeshTopology topology =
+            buildTopology(mesh, scene.materials, displaced ? normalsOf(mesh) : std::vector<glm::vec3>());
         MeshRange range;
         range.firstVertex = vertexCount_;
         range.firstTriangle = std::uint32_t(triangleFlags_.size());
@@ -89,6 +116,7 @@ Geometry::Geometry(const Scene& scene, const Moment& first) : deformProgram_("de
         indices_.insert(indices_.end(), all.begin() + triangleIndices, all.end());
     }
 
+    const std::vector<bool> scaleMoves = nodesWhoseScaleMoves(scene);
     for (const Instance& placed : first.instances) {
         const auto i = std::uint32_t(instances_.size());
         const MeshRange& range = ranges_[placed.mesh];
@@ -101,11 +129,17 @@ Geometry::Geometry(const Scene& scene, const Moment& first) : deformProgram_("de
         instance.edgeBase = range.firstEdge;
         instance.edgeCount = range.edgeCount;
         instance.placedEdgeBase = edgeChunkCount_ * CHUNK_SIZE;
+        if ((std::uint64_t(triangleChunkCount_) + roundUpToChunks(range.triangleCount)) * CHUNK_SIZE > kMostPlaced ||
+            (std::uint64_t(edgeChunkCount_) + roundUpToChunks(range.edgeCount)) * CHUNK_SIZE > kMostPlaced) {
+            throw Error(ErrorKind::Input, "", "the scene places more triangles than can be numbered",
+                        "fewer instances of its largest meshes");
+        }
         triangleChunkCount_ += roundUpToChunks(range.triangleCount);
         edgeChunkCount_ += roundUpToChunks(range.edgeCount);
         triangleChunks_.resize(triangleChunkCount_, i);
         edgeChunks_.resize(edgeChunkCount_, i);
-        const bool baked = placed.skinned() || !invertible(placed.worldFromModel);
+        const bool baked =
+            placed.skinned() || scaleMoves[std::size_t(placed.node)] || !invertible(placed.worldFromModel);
         if (baked || !mesh.morphTargets.empty() || placed.displacement != kNone) {
             Deforming own;
             own.instance = i;
@@ -140,21 +174,21 @@ void Geometry::uploadVertices(const Scene& scene) {
     std::vector<float> morphs;
     std::vector<std::uint32_t> firstMorph(scene.meshes.size()), firstInfluence(scene.meshes.size());
 
-    const auto place = [&](const Mesh& mesh, std::uint32_t firstVertex) {
+    const auto place = [&](const Mesh& mesh, bool displaced, std::uint32_t firstVertex) {
         const auto copy = [&](const auto& from, auto& to) {
             if (from.empty()) return;
             to.resize(vertexCount_);
             std::copy(from.begin(), from.end(), to.begin() + firstVertex);
         };
         copy(mesh.positions, positions);
-        copy(mesh.normals, normals);
+        copy(displaced ? normalsOf(mesh) : mesh.normals, normals);
         copy(mesh.tangents, tangents);
         copy(mesh.colors, colors);
         for (int s = 0; s < kTexCoordSetCount; ++s) copy(mesh.texCoords[s], texCoords[s]);
     };
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const Mesh& mesh = scene.meshes[m];
-        place(mesh, ranges_[m].firstVertex);
+        place(mesh, displaced_[m], ranges_[m].firstVertex);
         firstInfluence[m] = std::uint32_t(influences.size() / 6);
         for (std::size_t i = 0; i < mesh.joints.size(); ++i) {
             std::uint32_t words[6];
@@ -177,7 +211,7 @@ void Geometry::uploadVertices(const Scene& scene) {
     std::uint32_t jointCount = 0, weightCount = 0;
     for (Deforming& own : deforming_) {
         const std::uint32_t mesh = instanceMesh_[own.instance];
-        place(scene.meshes[mesh], own.firstVertex);
+        place(scene.meshes[mesh], displaced_[mesh], own.firstVertex);
         own.firstInfluence = firstInfluence[mesh];
         own.firstMorph = firstMorph[mesh];
         own.firstJoint = jointCount;
@@ -241,6 +275,12 @@ void Geometry::update(const Scene& scene, const Moment& moment, const Eye& eye) 
         instance.eyeInModel = gpu::vec4(glm::inverse(worldFromModel_[i]) * eye.point());
         const bool mirrored = glm::determinant(glm::dmat3(viewFromModel)) < 0.0;
         instance.flags = mirrored ? INSTANCE_MIRRORED : 0u;
+    }
+    for (const Deforming& own : deforming_) {
+        const Instance& placed = moment.instances[own.instance];
+        const glm::dmat4& m = placed.skinned() ? placed.worldFromBindPose[0] : placed.worldFromModel;
+        const bool insideOut = own.relativeToOrigin && glm::determinant(glm::dmat3(m)) < 0.0;
+        if (insideOut) instances_[own.instance].flags |= INSTANCE_INSIDE_OUT;
     }
     instanceBuffer_.write(std::span<const gpu::InstanceData>(instances_));
 }

@@ -3,8 +3,8 @@
 // (Brabec & Seidel 2003, section 4.1; design.md section 2, rule 3). What deforms is computed into it once a frame.
 //
 // Every vertex v of instance i lies at instances[i].vertexBase + v in all vertex arrays. Rigid instances share their
-// mesh's vertices and keep them in model space; skinned ones, and those whose transform cannot be inverted, have their
-// own, relative to an origin near the eye.
+// mesh's vertices and keep them in model space; skinned ones, and those whose transform cannot be inverted or may become
+// so, have their own, relative to an origin near the eye.
 #pragma once
 
 #include <vector>
@@ -56,6 +56,9 @@ public:
     /// All positions as the device has them now, for techniques that run on the host and for the oracle.
     std::vector<float> readPositions() const;
     bool deforms() const { return !deforming_.empty(); }
+    bool hasOwnVertices(std::uint32_t instance) const {
+        return instances_[instance].vertexBase != ranges_[instanceMesh_[instance]].firstVertex;
+    }
 
     // The same arrays on the host; positions of deforming instances are stale there.
     const std::vector<std::uint32_t>& indices() const { return indices_; }
@@ -84,6 +87,7 @@ private:
     bool invertible(const glm::dmat4& worldFromModel) const;
 
     std::vector<MeshRange> ranges_;  // one a mesh
+    std::vector<bool> displaced_;  // one a mesh: some instance of it is moved along its normals
     std::vector<MeshTopology> topologies_;
     std::vector<std::uint32_t> instanceMesh_;
     std::vector<gpu::InstanceData> instances_;

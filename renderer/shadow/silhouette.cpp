@@ -23,7 +23,8 @@ void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, 
         const glm::dmat4 modelFromWorld = glm::inverse(geometry.worldFromModel(i));
         for (const ShadowLight& light : lights) out.hostLightsInModel[next++] = glm::vec4(modelFromWorld * light);
     }
-    const std::size_t groups = (lights.size() + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP;
+    // Without lights there still is one sweep, for the planes.
+    const std::size_t groups = std::max<std::size_t>(1, (lights.size() + LIGHTS_PER_GROUP - 1) / LIGHTS_PER_GROUP);
     out.lightsInModel.reserve("lights in model space", out.hostLightsInModel.size() * sizeof(glm::vec4));
     out.lightsInModel.write(std::span<const glm::vec4>(out.hostLightsInModel));
     out.facing.reserve("facing bits", groups * out.facingStride * sizeof(gpu::uvec2));

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Measured over the whole corpus: at most 1 MiB more than a valid scene takes. The slack is for allocators.
+// Measured over the whole corpus: no file takes more than a valid scene does. The slack is for allocators.
 constexpr double kSlackMebibytes = 32.0;
 constexpr double kMostBytesPerFileByte = 64.0;
 

@@ -109,6 +109,11 @@ TEST(JobErrors, NamesFromAListGiveTheNearest) {
                   {"s.yaml:3:26", "not \"stencils\"", "\"stencil\""});
 }
 
+TEST(JobErrors, DataIsNotWrittenAsPng) {
+    expectRefused(sequence("output: {aovs: {beauty: png, depth: png}}\n"),
+                  {"s.yaml:3:37", "depth is data, which PNG would cut", "write exr"});
+}
+
 TEST(JobErrors, FrameRangesKeepTheirPlace) {
     expectRefused(sequence("time: {frames: \"1:10\"}\n"), {"s.yaml:3:16", "has a ':'", "stagger"});
     expectRefused(sequence("time:\n  frames: 10-1\n"), {"s.yaml:4:11", "runs backwards", "1-10"});

@@ -84,6 +84,24 @@ TEST(Overrides, BrokenOnesAreRefused) {
     expectRefusedOverride("umbrage=2", {"--set umbrage", "umbrage must be 1", ""});
 }
 
+TEST(Overrides, OptionsAreNamedInErrorsAndComeBeforeSet) {
+    const Job job = read(sequence(""), {.set = {"image.size=[8, 6]"}, .options = {{"--size", "image.size=[64, 48]"}}});
+    EXPECT_EQ(job.image.width, 8);
+    expectError(
+        [] {
+            read(sequence(""), {.set = {}, .options = {{"--frames", "time.frames='1:3'"}}});
+        },
+        {"--frames", "has a ':'", "stagger"});
+}
+
+TEST(Overrides, TheWholeAnimationIsForScenesWithoutYaml) {
+    expectError([] { read(sequence(""), {.set = {}, .wholeAnimation = true}); },
+                {"--frames all", "a sequence names its frames", "leave --frames out"});
+    EXPECT_TRUE(jobForScene("a.glb", {.set = {}, .wholeAnimation = true}).time.wholeAnimation);
+    expectError([] { jobForScene("a.glb", {.set = {"output.path=x.png"}, .wholeAnimation = true}); },
+                {"--set output.path", "all frames would have this name", "{frame:04}"});
+}
+
 TEST(OutputPath, FillsItsFields) {
     Job job;
     job.file = "/seq/hall.day.yaml";
@@ -108,6 +126,12 @@ TEST(OutputPath, RedirectingReplacesTheFolderOnly) {
     redirectOutput(job, "/new{1}");
     EXPECT_EQ(outputPath(job, "beauty", 1, "png"), "/new{1}/beauty.png");
     EXPECT_EQ(job.statistics.path, "/new{1}/s.csv");
+}
+
+TEST(OutputPath, RedirectingKeepsFoldersThatTellImagesApart) {
+    Job job = read(sequence("output: {path: \"o/{scene}/{aov}/{frame:04}.{ext}\"}\n"));
+    redirectOutput(job, "/new");
+    EXPECT_EQ(outputPath(job, "beauty", 1, "png"), "/new/beauty/0001.png");
 }
 
 }  // namespace
