@@ -21,7 +21,7 @@ int runDevices() {
     }
     if (usable) return kOk;
     throw Error(ErrorKind::Device, "", devices.empty() ? "no EGL device found" : "no EGL device offers OpenGL 4.5",
-                "on Debian: apt-get install libegl1 libgl1-mesa-dri");
+                gpu::kDriverHint);
 }
 
 }  // namespace umbrage

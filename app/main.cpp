@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <system_error>
 
 #include "commands.h"
 #include "exit_codes.h"
@@ -25,12 +27,16 @@ int main(int argc, char** argv) {
     using namespace umbrage;
     try {
         const int exitCode = run(argc, argv);
-        if (std::fflush(stdout) != 0 || std::ferror(stdout))
+        if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
             throw Error(ErrorKind::Output, "stdout", "cannot be written");
+        }
         return exitCode;
     } catch (const Error& error) {
         std::fprintf(stderr, "umbrage: error: %s\n", error.what());
         return exitCodeOf(error.kind());
+    } catch (const std::system_error& error) {  // what fmt throws where stdout is full
+        std::fprintf(stderr, "umbrage: error: cannot write: %s\n", error.what());
+        return kOutputFailed;
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "umbrage: error: out of memory\n");
         return kBadInput;

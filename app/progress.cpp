@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "say.h"
+
 namespace umbrage {
 namespace {
 
@@ -32,7 +34,7 @@ Progress::~Progress() {
 void Progress::note(const std::string& text) {
     if (quiet_) return;
     clearBar();
-    fmt::print(stderr, "umbrage: {}\n", text);
+    say("umbrage: {}\n", text);
 }
 
 void Progress::started(std::size_t frameCount) {
@@ -44,7 +46,7 @@ void Progress::frameWritten(int frame, std::size_t done, std::size_t frameCount)
     if (kind_ == ProgressKind::Bar) {
         drawBar(done, frameCount);
     } else if (kind_ == ProgressKind::Lines) {
-        fmt::print(stderr, "frame {} written ({} of {})\n", frame, done, frameCount);
+        say("frame {} written ({} of {})\n", frame, done, frameCount);
     }
 }
 
@@ -56,14 +58,14 @@ void Progress::drawBar(std::size_t done, std::size_t frameCount) {
         rate = fmt::format("  {:.2f} s a frame, {} left", seconds / double(done),
                            clockText(seconds / double(done) * double(frameCount - done)));
     }
-    fmt::print(stderr, "\r\x1b[K[{}{}] {}/{}{}", std::string(std::size_t(filled), '#'),
-               std::string(std::size_t(kBarCells - filled), '.'), done, frameCount, rate);
+    say("\r\x1b[K[{}{}] {}/{}{}", std::string(std::size_t(filled), '#'),
+        std::string(std::size_t(kBarCells - filled), '.'), done, frameCount, rate);
     std::fflush(stderr);
     barShown_ = true;
 }
 
 void Progress::clearBar() {
-    if (barShown_) fmt::print(stderr, "\r\x1b[K");
+    if (barShown_) say("\r\x1b[K");
     barShown_ = false;
 }
 

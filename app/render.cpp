@@ -12,6 +12,7 @@
 #include "job/job.h"
 #include "job/output_path.h"
 #include "progress.h"
+#include "say.h"
 
 namespace umbrage {
 namespace {
@@ -81,10 +82,9 @@ void printSummary(const BatchSummary& summary) {
     const std::filesystem::path folder = summary.example.parent_path().lexically_normal();
     const std::string where = summary.example.empty() ? "no folder" : folder.empty() ? "." : folder.string();
     const std::size_t done = summary.written.size();
-    fmt::print(stderr,
-               "{} of {} frames in {}: {:.2f} s to load, {:.2f} s to render ({:.3f} s a frame), {:.0f} MiB at most\n",
-               done, summary.requested, where, summary.loadSeconds, summary.renderSeconds,
-               summary.renderSeconds / double(done), summary.peakMemoryMebibytes);
+    say("{} of {} frames in {}: {:.2f} s to load, {:.2f} s to render ({:.3f} s a frame), {:.0f} MiB at most\n", done,
+        summary.requested, where, summary.loadSeconds, summary.renderSeconds, summary.renderSeconds / double(done),
+        summary.peakMemoryMebibytes);
 }
 
 }  // namespace
@@ -110,8 +110,7 @@ int runRender(const RenderOptions& options, bool quiet) {
     const std::size_t done = summary.written.size();
     if (done > 0 && !quiet) printSummary(summary);
     if (summary.interrupted) {
-        fmt::print(stderr, "umbrage: interrupted; frames still to render: --frames {}\n",
-                   FrameRange::textOf(summary.missing));
+        say("umbrage: interrupted; frames still to render: --frames {}\n", FrameRange::textOf(summary.missing));
         return interruptSignal == SIGTERM ? kTerminated : kInterrupted;
     }
     return done == summary.requested ? kOk : kFramesFailed;

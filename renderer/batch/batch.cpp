@@ -38,7 +38,7 @@ glm::vec3 vec3Of(const std::array<double, 3>& v) {
     return {float(v[0]), float(v[1]), float(v[2])};
 }
 
-FrameSettings settingsOf(const Job& job) {
+FrameSettings settingsOf(const Job& job, const Composition& composition) {
     FrameSettings settings;
     settings.width = job.image.width;
     settings.height = job.image.height;
@@ -55,8 +55,8 @@ FrameSettings settingsOf(const Job& job) {
     settings.halveEvenComponents = skip("halve");
     settings.skipOutOfReach = skip("range");
     settings.background = vec3Of(job.image.background);
-    settings.ambientSky = vec3Of(job.image.ambientSky);
-    settings.ambientGround = vec3Of(job.image.ambientGround);
+    settings.ambientSky = composition.ambientSky;
+    settings.ambientGround = composition.ambientGround;
     settings.profile = job.diagnostics.profile;
     return settings;
 }
@@ -111,7 +111,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     summary.requested = frames.size();
     const gpu::Context context(options.device);
     const Moment first = evaluate(composition.scene, composition.animations, timeOf(frames.front()));
-    FrameRenderer renderer(composition.scene, first, settingsOf(job), context);
+    FrameRenderer renderer(composition.scene, first, settingsOf(job, composition), context);
     const std::unique_ptr<DisplayTransform> display =
         codec().displayTransform({options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display,
                                   job.color.view, job.color.exposureStops});

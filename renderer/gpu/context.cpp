@@ -26,8 +26,6 @@ struct Context::Impl {
 
 namespace {
 
-constexpr const char* kHint = "umbrage needs EGL with OpenGL 4.5; on Debian: apt-get install libegl1 libgl1-mesa-dri";
-
 std::string eglErrorText(const char* what) {
     return fmt::format("{} failed (EGL error 0x{:x})", what, eglGetError());
 }
@@ -117,7 +115,7 @@ std::vector<DeviceInfo> listDevices() {
 Context::Context(void* eglDevice, int index) : impl_(std::make_unique<Impl>(eglDevice, index)) {}
 
 Context::Context(const std::string& device) {
-    if (!haveEgl()) throw Error(ErrorKind::Device, "", "there is no EGL driver", kHint);
+    if (!haveEgl()) throw Error(ErrorKind::Device, "", "there is no EGL driver", kDriverHint);
     const std::vector<EGLDeviceEXT> devices = eglDevices();
     std::string tried;
     std::unique_ptr<Impl> software;
@@ -138,8 +136,9 @@ Context::Context(const std::string& device) {
     }
     if (!impl_ && software) impl_ = std::move(software);
     if (!impl_) {
-        throw Error(ErrorKind::Device, "", fmt::format("no usable OpenGL device for '{}'{}", device, tried),
-                    device == "auto" ? kHint : "give the index or part of the name of one that umbrage devices lists");
+        throw Error(
+            ErrorKind::Device, "", fmt::format("no usable OpenGL device for '{}'{}", device, tried),
+            device == "auto" ? kDriverHint : "give the index or part of the name of one that umbrage devices lists");
     }
     // Opening and closing others has changed what is current.
     software.reset();

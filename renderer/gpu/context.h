@@ -8,6 +8,10 @@
 
 namespace umbrage::gpu {
 
+/// What to do where there is no usable device.
+inline constexpr const char* kDriverHint =
+    "umbrage needs EGL with OpenGL 4.5; on Debian: apt-get install libegl1 libgl1-mesa-dri";
+
 struct DeviceInfo {
     int index = 0;  // for --device
     std::string renderer, vendor, version;

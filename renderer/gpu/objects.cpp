@@ -98,7 +98,8 @@ Texture::Texture(const char* label, GLenum internalFormat, const Size& size) : s
         glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     }
     glObjectLabel(GL_TEXTURE, name, -1, label);
-    checkGl(fmt::format("to make the texture '{}' of {} x {} x {} samples", label, size.width, size.height, size.samples));
+    checkGl(
+        fmt::format("to make the texture '{}' of {} x {} x {} samples", label, size.width, size.height, size.samples));
 }
 
 void Texture::bind(GLuint unit) const {
@@ -129,9 +130,10 @@ Framebuffer::Framebuffer(const char* label, std::span<const Attachment> colors, 
     glNamedFramebufferDrawBuffers(name, GLsizei(outputs.size()), outputs.data());
     glObjectLabel(GL_FRAMEBUFFER, name, -1, label);
     if (const GLenum status = glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE) {
-        throw Error(ErrorKind::Device, "",
-                    fmt::format("the device cannot draw into '{}' of {} x {} pixels (0x{:x})", label, width_, height_, status),
-                    "a smaller picture or fewer samples need less");
+        throw Error(
+            ErrorKind::Device, "",
+            fmt::format("the device cannot draw into '{}' of {} x {} pixels (0x{:x})", label, width_, height_, status),
+            "a smaller picture or fewer samples need less");
     }
 }
 

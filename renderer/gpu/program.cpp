@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "shaders/shared.h"
+
 namespace umbrage::gpu {
 namespace {
 
@@ -85,9 +87,7 @@ GLuint Program::name() const {
 void Program::dispatchGroups(GLuint groupCount) const {
     if (groupCount == 0) return;
     use();
-    // One dimension holds 65,535 groups everywhere; larger scenes take a second one (gl_WorkGroupID.y).
-    constexpr GLuint kRow = 65535;
-    glDispatchCompute(std::min(groupCount, kRow), (groupCount + kRow - 1) / kRow, 1);
+    glDispatchCompute(std::min(groupCount, GROUP_ROW), (groupCount + GROUP_ROW - 1) / GROUP_ROW, 1);
 }
 
 }  // namespace umbrage::gpu

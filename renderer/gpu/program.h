@@ -32,7 +32,7 @@ public:
     void uniform(GLint location, GLint value) const { glProgramUniform1i(name(), location, value); }
     void uniform(GLint location, GLfloat value) const { glProgramUniform1f(name(), location, value); }
 
-    /// Runs a compute shader; beyond 65,535 groups also along y, see chunkHere() in the shaders.
+    /// Runs a compute shader over that many groups, which it counts by GROUP_HERE.
     void dispatchGroups(GLuint groupCount) const;
 
 private:

@@ -82,7 +82,7 @@ uint ordered(float f) {
 }
 
 void main() {
-    uint i = (gl_WorkGroupID.y * 65535u + gl_WorkGroupID.x) * CHUNK_SIZE + gl_LocalInvocationID.x;
+    uint i = GROUP_HERE * CHUNK_SIZE + gl_LocalInvocationID.x;
     if (i >= vertexCount) return;
     precise vec3 p = load(0u, restVertex + i);
     vec3 n = load(1u, restVertex + i);

@@ -61,7 +61,7 @@ void append(uint list, uint l, uint entry, uint times) {
 }
 
 void main() {
-    uint chunk = gl_WorkGroupID.y * 65535u + gl_WorkGroupID.x;
+    uint chunk = GROUP_HERE;
     if (chunk >= chunkCount) return;
     uint instance = edgeChunks[chunk];
     uint placed = chunk * CHUNK_SIZE + gl_LocalInvocationID.x;

@@ -98,7 +98,7 @@ void countEye(uint instance, uint l, uint flags, vec3 a, vec3 b, vec3 c, vec3 n,
 }
 
 void main() {
-    uint chunk = gl_WorkGroupID.y * 65535u + gl_WorkGroupID.x;
+    uint chunk = GROUP_HERE;
     if (chunk >= chunkCount) return;
     uint instance = triangleChunks[chunk];
     uint placed = chunk * CHUNK_SIZE + gl_LocalInvocationID.x;

@@ -71,7 +71,7 @@ void addAround(uint l, vec3 a, vec3 b, vec3 c) {
 }
 
 void main() {
-    uint chunk = gl_WorkGroupID.y * 65535u + gl_WorkGroupID.x;
+    uint chunk = GROUP_HERE;
     if (chunk >= chunkCount) return;
     uint instance = triangleChunks[chunk];
     uint triangle = chunk * CHUNK_SIZE + gl_LocalInvocationID.x - instances[instance].placedTriangleBase;

@@ -58,6 +58,10 @@ using mat4 = glm::mat4;
 #define CHUNK_SHIFT 7
 #define CHUNK_SIZE 128
 
+// One dimension of a dispatch holds 65,535 groups everywhere; larger ones take a second.
+#define GROUP_ROW 65535u
+#define GROUP_HERE (gl_WorkGroupID.y * GROUP_ROW + gl_WorkGroupID.x)
+
 // TriangleFlags
 #define TRIANGLE_CASTS 1u
 #define TRIANGLE_EVEN 2u          // its connected component has only edges of even valence
@@ -71,7 +75,7 @@ using mat4 = glm::mat4;
 #define EDGE_NONE 0xffffffffu
 
 // InstanceData::flags
-#define INSTANCE_MIRRORED 1u  // negative determinant: front faces run clockwise on screen
+#define INSTANCE_MIRRORED 1u    // negative determinant: front faces run clockwise on screen
 #define INSTANCE_WHOLE 2u       // counted with all its surfaces, not halved (see shadow/counts.h)
 #define INSTANCE_INSIDE_OUT 4u  // its evaluated positions are mirrored: what the file calls front runs clockwise
 
@@ -147,7 +151,7 @@ struct ViewData {
     float znear, zfar;  // zfar 0: infinite
     uint perspective;
     uint lightCount;
-    vec2 pixelSize;     // in NDC
+    vec2 pixelSize;  // in NDC
     vec2 unusedView;
 };
 
