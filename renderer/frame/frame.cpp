@@ -168,8 +168,8 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
-            const std::vector<CountPlan> plans = planCounts(
-                silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings);
+            const std::vector<CountPlan> plans =
+                planCounts(silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings);
             masks->count(plans, volumes, geometry, silhouettes, group, l);
             profiler.pass(gpu::Profiler::kNoPass);
             LightPlanes& planes = planesOf(lights[first + l]);

@@ -46,7 +46,7 @@ struct LightPlanes {
 struct FramePixels {
     std::vector<float> radiance;        // RGBA, linear Rec.709
     std::vector<float> normalAndDepth;  // world normal, distance along the view axis
-    std::vector<LightPlanes> lights;  // of the moment, in its order; zero where a light is off
+    std::vector<LightPlanes> lights;    // of the moment, in its order; zero where a light is off
     std::vector<float> overdrawFragments, overdrawUpdates;
 };
 

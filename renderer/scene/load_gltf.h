@@ -12,8 +12,8 @@
 namespace umbrage {
 
 struct GltfOptions {
-    std::string scene;                 // name or index of the glTF scene; empty: the file's default
-    bool allowExternalFiles = false;   // let URIs leave the scene's folder
+    std::string scene;                // name or index of the glTF scene; empty: the file's default
+    bool allowExternalFiles = false;  // let URIs leave the scene's folder
 };
 
 /// @throws Error(Input)

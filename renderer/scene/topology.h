@@ -2,8 +2,9 @@
 // The edges of a mesh's casting triangles, for any triangle soup (algorithms.md 1.0, 1.11, 1.13 R3; T3).
 //
 // Vertices that can never separate (equal positions, and equal joints, weights, morph displacements and, where a
-// procedure moves vertices along them, normals) are welded by exact bits. Every edge record names two vertices a < b in canonical order and at most two triangles; an edge with
-// more triangles has several records, which is right because counts are sums.
+// procedure moves vertices along them, normals) are welded by exact bits. Every edge record names two vertices a < b in
+// canonical order and at most two triangles; an edge with more triangles has several records, which is right because
+// counts are sums.
 #pragma once
 
 #include <cstdint>

@@ -12,9 +12,9 @@
 namespace umbrage {
 namespace {
 
-constexpr std::uint32_t kBoundsWords = 6;  // per deforming instance: min xyz, max xyz, as ordered integers
+constexpr std::uint32_t kBoundsWords = 6;           // per deforming instance: min xyz, max xyz, as ordered integers
 constexpr std::uint64_t kMostPlaced = 500'000'000;  // triangles or edges: three vertices each must count in 31 bits
-constexpr std::uint32_t kMorphFloats = 9;  // per vertex and target: position, normal, tangent
+constexpr std::uint32_t kMorphFloats = 9;           // per vertex and target: position, normal, tangent
 
 std::uint32_t roundUpToChunks(std::uint32_t count) {
     return (count + CHUNK_SIZE - 1) / CHUNK_SIZE;

@@ -3,8 +3,8 @@
 // (Brabec & Seidel 2003, section 4.1; design.md section 2, rule 3). What deforms is computed into it once a frame.
 //
 // Every vertex v of instance i lies at instances[i].vertexBase + v in all vertex arrays. Rigid instances share their
-// mesh's vertices and keep them in model space; skinned ones, and those whose transform cannot be inverted or may become
-// so, have their own, relative to an origin near the eye.
+// mesh's vertices and keep them in model space; skinned ones, and those whose transform cannot be inverted or may
+// become so, have their own, relative to an origin near the eye.
 #pragma once
 
 #include <vector>
@@ -87,7 +87,7 @@ private:
     bool invertible(const glm::dmat4& worldFromModel) const;
 
     std::vector<MeshRange> ranges_;  // one a mesh
-    std::vector<bool> displaced_;  // one a mesh: some instance of it is moved along its normals
+    std::vector<bool> displaced_;    // one a mesh: some instance of it is moved along its normals
     std::vector<MeshTopology> topologies_;
     std::vector<std::uint32_t> instanceMesh_;
     std::vector<gpu::InstanceData> instances_;

@@ -59,7 +59,7 @@ bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a,
         return alongU * glm::length(u) > -kMargin * scale && alongV * glm::length(v) > -kMargin * scale;
     }
     if (light.w == 0.0f) {
-        return alongU > -kMargin && alongU < 1.0f + kMargin && 
+        return alongU > -kMargin && alongU < 1.0f + kMargin &&
                alongV * glm::length(v) > -kMargin * (glm::length(u) + glm::length(e));
     }
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0f - kMargin;

@@ -33,7 +33,8 @@ TEST(Rooms, IncludeOnlyRoomsBelow) {
     ASSERT_GE(rooms.size(), 9u);
     std::size_t includes = 0;
     for (std::size_t r = 0; r < rooms.size(); ++r) {
-        for (const auto& entry : fs::recursive_directory_iterator(fs::path(UMBRAGE_SOURCE_DIR) / "renderer" / rooms[r])) {
+        for (const auto& entry :
+             fs::recursive_directory_iterator(fs::path(UMBRAGE_SOURCE_DIR) / "renderer" / rooms[r])) {
             if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
             std::istringstream lines(textOf(entry.path()));
             for (std::string line; std::getline(lines, line);) {
