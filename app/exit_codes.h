@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program's exit status means (design.md section 5), in one place.
+// What the program's exit status means, in one place.
 #pragma once
 
 #include "error.h"

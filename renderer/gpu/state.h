@@ -31,7 +31,7 @@ struct RasterState {
     Stencil stencil;
 };
 
-/// Depth is reversed: nearer is greater (design.md section 2, rule 4).
+/// Depth is reversed: nearer is greater (docs/rules.md, G4).
 void apply(const RasterState& state);
 
 /// Once per context: [0, 1] depth, rows from the top, no dithering, packed rows.

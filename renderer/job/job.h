@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked for: a sequence file as plain data (design.md section 4). readJob() parses strictly; nothing here
+// What is asked for: a sequence file as plain data (docs/sequence.md). readJob() parses strictly; nothing here
 // opens a scene, so names of nodes are checked later, by compose(), with the places kept here.
 #pragma once
 

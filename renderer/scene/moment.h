@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene at one time: everything animated has its value, everything placed has a world transform in double
-// (design.md, section 2 rule 4: composed in double, rounded to float only relative to the eye).
+// (docs/rules.md, G4).
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ struct Instance {
 /// A light with its values at this time; `light` already has them.
 struct PlacedLight {
     Index node = kNone;
-    std::string id;  // the node's path with '/' as '_' (design.md section 4), unique
+    std::string id;  // the node's path with '/' as '_' , unique
     Light light;
     glm::dvec3 position{0.0};              // world, metres
     glm::dvec3 direction{0.0, 0.0, -1.0};  // world, unit, the way the light shines

@@ -183,7 +183,7 @@ struct LightTrack {
     Track track;
 };
 
-/// Procedural displacement along the vertex normal, evaluated on the device (design.md section 4).
+/// Procedural displacement along the vertex normal, evaluated on the device.
 struct Displacement {
     Index node = kNone;
     float amplitude = 0.1f, frequency = 3.0f, speed = 1.0f;

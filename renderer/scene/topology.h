@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edges of a mesh's casting triangles, for any triangle soup (algorithms.md 1.0, 1.11, 1.13 R3; T3).
+// The edges of a mesh's casting triangles, for any triangle soup (docs/rules.md, G2, R3).
 //
 // Vertices that can never separate (equal positions, and equal joints, weights, morph displacements and, where a
 // procedure moves vertices along them, normals) are welded by exact bits. Every edge record names two vertices a < b in

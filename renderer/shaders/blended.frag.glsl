@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// BLEND surfaces, over the resolved image in order of depth, lit by all lights without shadows (design.md, rule 7).
+// BLEND surfaces, over the resolved image in order of depth, lit by all lights without shadows (G7).
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "view.glsl"

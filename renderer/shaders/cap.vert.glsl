@@ -2,7 +2,7 @@
 // Light and dark caps of shadow volumes, for the cases in which they count (T1):
 //   CAP_NEAR  the part nearer than the near plane, which is not in the depth buffer; always passes (z-pass)
 //   CAP_TRUE  triangles that are not in the depth buffer, at their own depth (z-pass and z-fail)
-//   CAP_FAR   all others at infinite depth, where they always fail, whatever rounding does (z-fail; algorithms.md 0.2)
+//   CAP_FAR   all others at infinite depth, where they always fail, whatever rounding does (z-fail)
 //   CAP_DARK  the projection to infinity (z-fail)
 #version 450 core
 #extension GL_GOOGLE_include_directive : require

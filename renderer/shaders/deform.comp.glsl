@@ -12,7 +12,7 @@ layout(std430, binding = BIND_DEFORM_NORMALS) buffer Normals { float normals[]; 
 layout(std430, binding = BIND_DEFORM_TANGENTS) buffer Tangents { vec4 tangents[]; };
 layout(std430, binding = BIND_DEFORM_INFLUENCES) readonly buffer Influences { uint influences[]; };  // 6 words each
 layout(std430, binding = BIND_DEFORM_JOINTS) readonly buffer Joints { vec4 joints[]; };              // 3 rows each
-layout(std430, binding = BIND_DEFORM_MORPHS) readonly buffer Morphs { float morphs[]; };  // 9 a vertex and target
+layout(std430, binding = BIND_DEFORM_MORPHS) readonly buffer Morphs { float morphs[]; };  // MORPH_FLOATS a vertex and target
 layout(std430, binding = BIND_DEFORM_WEIGHTS) readonly buffer Weights { float morphWeights[]; };
 layout(std430, binding = BIND_DEFORM_BOUNDS) buffer Bounds { uint bounds[]; };
 
@@ -38,7 +38,7 @@ vec3 load(uint array, uint v) {
 }
 
 vec3 loadMorph(uint element, uint part) {
-    uint i = 9u * (firstMorph + element) + 3u * part;
+    uint i = MORPH_FLOATS * (firstMorph + element) + 3u * part;
     return vec3(morphs[i], morphs[i + 1u], morphs[i + 2u]);
 }
 
@@ -124,8 +124,8 @@ void main() {
     for (int k = 0; k < 3; ++k) {
         positions[3u * v + uint(k)] = p[k] + 0.0;
         normals[3u * v + uint(k)] = n[k];
-        atomicMin(bounds[6u * boundsIndex + uint(k)], ordered(p[k]));
-        atomicMax(bounds[6u * boundsIndex + 3u + uint(k)], ordered(p[k]));
+        atomicMin(bounds[BOUNDS_WORDS * boundsIndex + uint(k)], ordered(p[k]));
+        atomicMax(bounds[BOUNDS_WORDS * boundsIndex + 3u + uint(k)], ordered(p[k]));
     }
     if (hasTangents != 0u) tangents[v] = t;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Silhouettes of up to 32 lights at once from the stored facing bits (after Brabec & Seidel 2003, section 4.2: several
-// lights an edge): the multiplicity m of every edge is the signed sum over its triangles (algorithms.md 1.0), and every
+// lights an edge): the multiplicity m of every edge is the signed sum over its triangles (G2), and every
 // edge with m != 0 is appended to its light's list, drawn indirectly.
 #version 450 core
 #extension GL_GOOGLE_include_directive : require

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangle setup: which side of every triangle faces each of up to 32 lights, decided here and nowhere else, stored and
-// used for all edges, caps and shading (design.md section 2, rule 1); the triangle's plane in view space; and how many
-// layers lie between each light and the eye (the eye constant of z-pass, algorithms.md 1.7).
+// used for all edges, caps and shading (docs/rules.md, G1); the triangle's plane in view space; and how many
+// layers lie between each light and the eye (the eye constant of z-pass, G5).
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "geometry.glsl"
@@ -123,7 +123,7 @@ void main() {
         if (side > 0.0) {
             bits.x |= bit;
         } else if (side < 0.0 || (flags & TRIANGLE_EVEN) != 0u) {
-            // Any weight is legal (algorithms.md 0.1); in an even component an edge-on triangle gets one, so that
+            // Any weight is legal (G1); in an even component an edge-on triangle gets one, so that
             // every edge keeps an even multiplicity and its quads can be halved.
             bits.y |= bit;
         } else {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one set of positions and how every stage takes them to the screen. `precise`: the same expression gives the
-// same bits in every shader, whatever the compiler contracts (algorithms.md 1.13, R2).
+// same bits in every shader, whatever the compiler contracts (docs/rules.md, R2).
 #include "shared.h"
 
 layout(std430, binding = BIND_POSITIONS) readonly buffer Positions { float positions[]; };

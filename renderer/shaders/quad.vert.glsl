@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Side quads of shadow volumes: an edge (u, v) and its projection from the light to infinity (w = 0). The diagonal
-// always runs from u to v's projection, so that coincident quads are cut alike (algorithms.md 1.13, R6).
+// always runs from u to v's projection, so that coincident quads are cut alike (R6).
 // variant: EDGE_ON 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require

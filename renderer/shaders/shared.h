@@ -41,6 +41,8 @@ using mat4 = glm::mat4;
 #define BIND_DEFORM_MORPHS 12
 #define BIND_DEFORM_BOUNDS 13
 #define BIND_DEFORM_WEIGHTS 14
+#define MORPH_FLOATS 9u  // per vertex and target: position, normal, tangent
+#define BOUNDS_WORDS 6u  // per deforming instance: least and greatest xyz, as integers in the same order
 
 // So does the bound on layers (T6).
 #define BIND_LAYER_CELLS 13

@@ -27,7 +27,7 @@ public:
     std::vector<float> readNormalAndDepth(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
                                           const glm::mat3& worldFromView);
 
-    /// The shadow masks of lights first to first + 3, one in each channel (design.md section 2, rule 7).
+    /// The shadow masks of lights first to first + 3, one in each channel (docs/rules.md, G7).
     std::vector<float> readShadows(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
                                    std::uint32_t firstLight);
 

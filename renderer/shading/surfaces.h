@@ -18,7 +18,7 @@ public:
     Surfaces(const Scene& scene, const Geometry& geometry);
 
     /// Opaque and masked primitives into the G-buffer that is bound: the viewer sees front faces, and back faces of
-    /// double-sided materials (design.md section 2, rule 7).
+    /// double-sided materials (docs/rules.md, G7).
     void drawOpaque(const Geometry& geometry, const Materials& materials, const Eye& eye);
 
     /// Marks casters with a culled back face nearer than what is seen (T1) in CasterState::exposed; the finished depth

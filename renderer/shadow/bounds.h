@@ -18,7 +18,7 @@ std::vector<bool> nearerThanNearPlane(const Geometry& geometry, std::span<const 
 std::vector<Geometry::Bounds> worldBounds(const Geometry& geometry, std::span<const Geometry::Bounds> modelBounds);
 
 /// Whether a box lies wholly out of a light's range. Whatever stands between such a light and a point in its range is
-/// in range too, so skipping the rest as caster and receiver changes no pixel (algorithms.md C3, 7).
+/// in range too, so skipping the rest as caster and receiver changes no pixel (docs/rules.md, G6).
 bool outOfReach(const Geometry::Bounds& worldBox, const glm::dvec3& lightPosition, double rangeMetres);
 
 /// Half the diagonal of what the boxes span; 0 without any.

@@ -12,7 +12,7 @@ using Kind = VolumePart::Kind;
 gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) {
     using Into = VolumeRenderer::Into;
     gpu::RasterState state;
-    state.depthClamp = true;  // every view ray starts at the eye itself (algorithms.md 1.4)
+    state.depthClamp = true;  // every view ray starts at the eye itself (G5)
     state.depth = part.rule == Rule::Always ? gpu::Depth::Always : gpu::Depth::Nearer;
     switch (into) {
         case Into::Stencil:

@@ -2,7 +2,7 @@
 // From lists of side quads to counts: which parts of a light's volumes are drawn, by which rule, and what the count is
 // where nothing is in shadow.
 //
-// Counts are sums over casters (algorithms.md 0.1) and never negative, so a sample is lit exactly if the count of
+// Counts are sums over casters (docs/rules.md, G1) and never negative, so a sample is lit exactly if the count of
 // every group of casters is zero there. Two groups are counted apart:
 //  - halved: components whose edges all have even valence, counted by z-pass without caps. Every crossing of their
 //    volumes' sides counts two, so one quad is drawn for two, and the count is compared with half the eye constant; an

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene's geometry on the device: one set of positions that depth, shading, volumes and the oracle all read
-// (Brabec & Seidel 2003, section 4.1; design.md section 2, rule 3). What deforms is computed into it once a frame.
+// (Brabec & Seidel 2003, section 4.1; docs/rules.md, G3). What deforms is computed into it once a frame.
 //
 // Every vertex v of instance i lies at instances[i].vertexBase + v in all vertex arrays. Rigid instances share their
 // mesh's vertices and keep them in model space; skinned ones, and those whose transform cannot be inverted or may

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Silhouettes: from lights and geometry to stored facing bits and lists of side quads on the device. One technique a
-// file; all of them fill the same buffers, so that counting does not know which one ran (design.md section 3).
+// file; all of them fill the same buffers, so that counting does not know which one ran.
 #pragma once
 
 #include <memory>
@@ -54,7 +54,7 @@ public:
 /// @param name  "compute" or "cpu"
 std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view name);
 
-/// Lights into every instance's model space, in double and rounded once (design.md section 2, rule 3).
+/// Lights into every instance's model space, in double and rounded once (docs/rules.md, G3).
 void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out);
 
 /// Sweeps until every list fits and no caster is counted from within the hazard zone of its volumes (T4): one that is

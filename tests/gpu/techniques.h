@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rendering a test scene by any technique, and what must hold for all of them.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "gpu/context.h"
+#include "scenes.h"
+
+namespace umbrage::test {
+
+inline constexpr int kWidth = 160, kHeight = 120;
+
+inline const gpu::Context& context() {
+    static const gpu::Context instance;
+    return instance;
+}
+
+inline FramePixels render(const TestScene& test, CountTechnique count, const std::string& silhouette, bool halve,
+                          bool counts = false) {
+    FrameSettings settings;
+    settings.width = kWidth;
+    settings.height = kHeight;
+    settings.count = count;
+    settings.silhouette = silhouette;
+    settings.halveEvenComponents = halve;
+    const Moment moment = evaluate(test.scene, {}, 0.0);
+    FrameRenderer renderer(test.scene, moment, settings, context());
+    FrameOutputs outputs;
+    outputs.shadows = outputs.geometry = true;
+    outputs.counts = counts;
+    Statistics statistics;
+    return renderer.render(moment, test.placedCamera(), outputs, 1, statistics);
+}
+
+/// The mask agrees with brute force but for pixels on boundaries, and is the same for every technique and skip.
+inline void expectRight(const TestScene& test) {
+    const Moment moment = evaluate(test.scene, {}, 0.0);
+    FramePixels reference;
+    for (const CountTechnique count : {CountTechnique::ZPass, CountTechnique::ZFail}) {
+        for (const char* silhouette : {"compute", "cpu"}) {
+            for (const bool halve : {true, false}) {
+                SCOPED_TRACE(std::string(count == CountTechnique::ZPass ? "z-pass " : "z-fail ") + silhouette +
+                             (halve ? " halved" : " whole"));
+                FramePixels pixels = render(test, count, silhouette, halve);
+                if (reference.lights.empty()) {
+                    reference = std::move(pixels);
+                    continue;
+                }
+                for (std::size_t l = 0; l < moment.lights.size(); ++l) {
+                    EXPECT_EQ(pixels.lights[l].shadow, reference.lights[l].shadow) << moment.lights[l].id;
+                }
+            }
+        }
+    }
+    for (std::size_t l = 0; l < moment.lights.size(); ++l) {
+        SCOPED_TRACE(moment.lights[l].id);
+        const BruteForce bruteForce(test, moment, moment.lights[l], kWidth, kHeight);
+        const BruteForce::Mismatches mismatches =
+            bruteForce.compare(reference.lights[l].shadow, reference.normalAndDepth);
+        EXPECT_EQ(mismatches.wrong, 0);
+        EXPECT_LE(mismatches.boundary, 0.002 * kWidth * kHeight);
+        EXPECT_GT(mismatches.judged, kWidth);
+    }
+}
+
+}  // namespace umbrage::test
