@@ -175,10 +175,6 @@ Materials::Materials(const Scene& scene) : materials_(scene.materials) {
     white_ = gpu::Texture("no texture", GL_RGBA8, {1, 1});
 }
 
-std::uint32_t Materials::entryOf(Index material) const {
-    return material == kNone ? std::uint32_t(materials_.size() - 1) : std::uint32_t(material);
-}
-
 void Materials::bind(std::uint32_t entry) const {
     buffer_.bindUniform(BIND_MATERIAL, entry * sizeof(gpu::MaterialData), sizeof(gpu::MaterialData));
     for (std::size_t u = 0; u < TEXTURE_COUNT; ++u) {

@@ -14,8 +14,6 @@ public:
     /// Decodes the textures on all cores. @throws Error(Input) for an image that cannot be decoded
     explicit Materials(const Scene& scene);
 
-    /// The entry of a primitive's material; kNone has one too.
-    std::uint32_t entryOf(Index material) const;
     const Material& material(std::uint32_t entry) const { return materials_[entry]; }
 
     /// Factors and textures, for the fragments of a primitive.
