@@ -162,10 +162,4 @@ int Context::maxSamples() const {
     return all;
 }
 
-int Context::maxTextureSize() const {
-    GLint size = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
-    return size;
-}
-
 }  // namespace umbrage::gpu

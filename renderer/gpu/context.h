@@ -34,7 +34,6 @@ public:
 
     const DeviceInfo& info() const;
     int maxSamples() const;  // of colour, integer and depth textures alike
-    int maxTextureSize() const;
 
 private:
     friend std::vector<DeviceInfo> listDevices();

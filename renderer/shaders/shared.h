@@ -168,7 +168,6 @@ struct MaterialData {
     vec4 unused2[2];  // to 256 bytes, where a range of a uniform buffer may begin on every device
 };
 #define MATERIAL_UNLIT 1u
-#define MATERIAL_DOUBLE_SIDED 2u
 #define TEXTURE_BASE_COLOR 0
 #define TEXTURE_METALLIC_ROUGHNESS 1
 #define TEXTURE_NORMAL 2

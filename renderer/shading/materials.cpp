@@ -131,7 +131,6 @@ gpu::MaterialData deviceMaterial(const Material& m) {
     data.emissive = {m.emissive, m.alphaMode == AlphaMode::Mask ? m.alphaCutoff : -1.0f};
     data.factors = {m.metallic, m.roughness, m.normalScale, m.occlusionStrength};
     if (m.unlit) data.flags |= MATERIAL_UNLIT;
-    if (m.doubleSided) data.flags |= MATERIAL_DOUBLE_SIDED;
     return data;
 }
 
