@@ -25,11 +25,11 @@ namespace {
 /// Where a light's planes go.
 using PlanesOf = std::function<LightPlanes&(const PlacedLight*)>;
 
-/// Lights that are on, in the moment's order; the others reach nothing and are skipped.
-std::vector<const PlacedLight*> lightsThatShine(const Moment& moment) {
-    std::vector<const PlacedLight*> shining;
-    for (const PlacedLight& light : moment.lights) {
-        if (isOn(light.light)) shining.push_back(&light);
+/// Lights that are on, as positions in the moment's list; the others reach nothing and are skipped.
+std::vector<std::size_t> lightsThatShine(const Moment& moment) {
+    std::vector<std::size_t> shining;
+    for (std::size_t l = 0; l < moment.lights.size(); ++l) {
+        if (isOn(moment.lights[l].light)) shining.push_back(l);
     }
     return shining;
 }
@@ -60,6 +60,8 @@ struct FrameRenderer::Impl {
     std::unique_ptr<Masks> masks;         // made anew when the number of groups of lights grows
     std::unique_ptr<Overdraw> overdraw;   // on first use
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
+    Eye eye;                           // of the last frame
+    std::vector<std::size_t> shining;  // its lights that are on, as positions in the moment's list
 
     Impl(const Scene& s, const Moment& first, const FrameSettings& wanted, const gpu::Context& context)
         : scene(s),
@@ -74,17 +76,19 @@ struct FrameRenderer::Impl {
 
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
-    void uploadView(const Eye& eye, const std::vector<const PlacedLight*>& lights);
-    CountSettings findCasters(const Eye& eye, bool halve);
+    void uploadView(const std::vector<const PlacedLight*>& lights);
+    CountSettings findCasters(bool halve);
     void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
-    void castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
-                     int frame, Statistics& statistics, const PlanesOf& planesOf);
+    void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs, int frame,
+                     Statistics& statistics, const PlanesOf& planesOf);
+    std::vector<float> shade();
+    void readSamples(FramePixels& pixels);
     void recordLight(const std::string& id, std::uint32_t l, const VolumeTotals& totals, int frame,
                      Statistics& statistics) const;
-    void recordFrame(const Moment& moment, std::size_t shining, int frame, Statistics& statistics) const;
+    void recordFrame(const Moment& moment, int frame, Statistics& statistics) const;
 };
 
-void FrameRenderer::Impl::uploadView(const Eye& eye, const std::vector<const PlacedLight*>& lights) {
+void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& lights) {
     gpu::ViewData view = viewDataOf(eye);
     view.background = {settings.background, 1.0f};
     view.ambientSky = {settings.ambientSky, 0.0f};
@@ -110,7 +114,7 @@ void FrameRenderer::Impl::uploadView(const Eye& eye, const std::vector<const Pla
 }
 
 /// T1: casters that are partly missing from the depth buffer need caps and are counted whole.
-CountSettings FrameRenderer::Impl::findCasters(const Eye& eye, bool halve) {
+CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
     silhouettes.casters.clearToZero();
     gbuffer.depthOnly.bind();
@@ -145,12 +149,11 @@ void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vec
     }
 }
 
-void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const PlacedLight*>& lights,
-                                      const FrameOutputs& outputs, int frame, Statistics& statistics,
-                                      const PlanesOf& planesOf) {
+void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
+                                      int frame, Statistics& statistics, const PlanesOf& planesOf) {
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
-    const CountSettings countSettings = findCasters(eye, halve);
+    const CountSettings countSettings = findCasters(halve);
     masks->clear();
     if (outputs.overdraw) overdraw->clear();
     // Also without any light there is one sweep: it sets up the triangles' planes.
@@ -173,7 +176,10 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
             masks->count(plans, volumes, geometry, silhouettes, group, l);
             profiler.pass(gpu::Profiler::kNoPass);
             LightPlanes& planes = planesOf(lights[first + l]);
-            if (outputs.counts && !plans.empty()) planes.counts = masks->readCounts(plans.back());
+            if (outputs.counts && !plans.empty()) {
+                planes.counts = masks->readCounts(plans.back());
+                planes.countsAreWide = plans.back().wide;
+            }
             VolumeTotals totals;
             if (outputs.overdraw) {
                 totals = overdraw->add(plans, volumes, geometry, silhouettes, group, l);
@@ -183,6 +189,36 @@ void FrameRenderer::Impl::castShadows(const Eye& eye, const std::vector<const Pl
             if (outputs.figures) recordLight(planes.id, l, totals, frame, statistics);
         }
     }
+}
+
+std::vector<float> FrameRenderer::Impl::shade() {
+    begin("time.resolve");
+    resolve.shade(gbuffer, *masks, silhouettes);
+    if (surfaces.anyBlended()) {
+        begin("time.blended");
+        surfaces.drawBlended(geometry, materials, eye, boxes);
+    }
+    begin("time.readback");
+    return resolve.readRadiance();
+}
+
+void FrameRenderer::Impl::readSamples(FramePixels& pixels) {
+    pixels.seen.positions = gbuffer.samplePositions();
+    for (std::size_t s = 0; s < pixels.seen.positions.size(); ++s) {
+        // Also without any light there is one group: it says what is seen.
+        for (std::uint32_t first = 0; first == 0 || first < shining.size(); first += LIGHTS_PER_GROUP) {
+            const std::vector<gpu::uvec2> sample = resolve.readSample(
+                gbuffer, *masks, silhouettes, int(s), pixels.seen.positions[s], first / LIGHTS_PER_GROUP);
+            if (first == 0) {
+                for (const gpu::uvec2& pixel : sample) pixels.seen.triangles.push_back(pixel.x);
+            }
+            for (std::size_t l = first; l < std::min<std::size_t>(first + LIGHTS_PER_GROUP, shining.size()); ++l) {
+                std::vector<std::uint8_t>& reaches = pixels.lights[shining[l]].reaches;
+                for (const gpu::uvec2& pixel : sample) reaches.push_back(pixel.y >> (l - first) & 1u);
+            }
+        }
+    }
+    for (LightPlanes& planes : pixels.lights) planes.reaches.resize(pixels.seen.triangles.size());
 }
 
 void FrameRenderer::Impl::recordLight(const std::string& id, std::uint32_t l, const VolumeTotals& totals, int frame,
@@ -205,8 +241,7 @@ void FrameRenderer::Impl::recordLight(const std::string& id, std::uint32_t l, co
     statistics.record(frame, id, "overdraw.updates", double(totals.updates));
 }
 
-void FrameRenderer::Impl::recordFrame(const Moment& moment, std::size_t shining, int frame,
-                                      Statistics& statistics) const {
+void FrameRenderer::Impl::recordFrame(const Moment& moment, int frame, Statistics& statistics) const {
     double triangles = 0, edges = 0;
     for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
         const MeshTopology& topology = geometry.topologies()[geometry.meshOf(i)];
@@ -215,7 +250,7 @@ void FrameRenderer::Impl::recordFrame(const Moment& moment, std::size_t shining,
     }
     statistics.record(frame, "", "triangles", triangles);
     statistics.record(frame, "", "edges", edges);
-    statistics.record(frame, "", "lights.skipped", double(moment.lights.size() - shining));
+    statistics.record(frame, "", "lights.skipped", double(moment.lights.size() - shining.size()));
 }
 
 FrameRenderer::FrameRenderer(const Scene& scene, const Moment& first, const FrameSettings& settings,
@@ -226,11 +261,33 @@ FrameRenderer::FrameRenderer(const Scene& scene, const Moment& first, const Fram
 
 FrameRenderer::~FrameRenderer() = default;
 
+const Geometry& FrameRenderer::geometry() const {
+    return impl_->geometry;
+}
+
+std::vector<float> FrameRenderer::shadeAgain(const std::vector<std::vector<std::uint8_t>>& reaches) {
+    Impl& r = *impl_;
+    for (std::uint32_t first = 0; first < r.shining.size(); first += LIGHTS_PER_GROUP) {
+        std::vector<std::uint32_t> dark(reaches[r.shining[first]].size());
+        for (std::size_t l = first; l < std::min<std::size_t>(first + LIGHTS_PER_GROUP, r.shining.size()); ++l) {
+            const std::vector<std::uint8_t>& lit = reaches[r.shining[l]];
+            for (std::size_t i = 0; i < dark.size(); ++i) dark[i] |= std::uint32_t(!lit[i]) << (l - first);
+        }
+        r.masks->set(first / LIGHTS_PER_GROUP, dark);
+    }
+    std::vector<float> radiance = r.shade();
+    r.profiler.pass(gpu::Profiler::kNoPass);
+    return radiance;
+}
+
 FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& camera, const FrameOutputs& outputs,
                                   int frame, Statistics& statistics) {
     Impl& r = *impl_;
-    const Eye eye = makeEye(camera, r.settings.width, r.settings.height);
-    const std::vector<const PlacedLight*> lights = lightsThatShine(moment);
+    r.eye = makeEye(camera, r.settings.width, r.settings.height);
+    r.shining = lightsThatShine(moment);
+    const Eye& eye = r.eye;
+    std::vector<const PlacedLight*> lights;
+    for (const std::size_t l : r.shining) lights.push_back(&moment.lights[l]);
     FramePixels pixels;
     const std::size_t pixelCount = std::size_t(r.settings.width) * std::size_t(r.settings.height);
     for (const PlacedLight& light : moment.lights) {
@@ -246,19 +303,12 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
 
     r.begin("time.position");
     r.geometry.update(r.scene, moment, eye);
-    r.uploadView(eye, lights);
+    r.uploadView(lights);
     r.begin("time.gbuffer");
     r.gbuffer.begin();
     r.surfaces.drawOpaque(r.geometry, r.materials, eye);
-    r.castShadows(eye, lights, outputs, frame, statistics, planesOf);
-    r.begin("time.resolve");
-    r.resolve.shade(r.gbuffer, *r.masks, r.silhouettes);
-    if (r.surfaces.anyBlended()) {
-        r.begin("time.blended");
-        r.surfaces.drawBlended(r.geometry, r.materials, eye, r.boxes);
-    }
-    r.begin("time.readback");
-    pixels.radiance = r.resolve.readRadiance();
+    r.castShadows(lights, outputs, frame, statistics, planesOf);
+    pixels.radiance = r.shade();
     gpu::checkGl("while rendering");
     r.profiler.pass(gpu::Profiler::kNoPass);
 
@@ -279,7 +329,8 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         pixels.overdrawFragments = r.overdraw->readFragments();
         pixels.overdrawUpdates = r.overdraw->readUpdates();
     }
-    if (outputs.figures) r.recordFrame(moment, lights.size(), frame, statistics);
+    if (outputs.samples) r.readSamples(pixels);
+    if (outputs.figures) r.recordFrame(moment, frame, statistics);
     for (const auto& [pass, milliseconds] : r.profiler.collect()) {
         statistics.record(frame, "", Counter::at(std::size_t(pass)), milliseconds);
     }

@@ -10,6 +10,7 @@
 #include "diagnostics/statistics.h"
 #include "gpu/context.h"
 #include "scene/moment.h"
+#include "shadow/geometry.h"
 #include "shadow/silhouette.h"
 
 namespace umbrage {
@@ -34,13 +35,22 @@ struct FrameOutputs {
     bool geometry = false;  // normals and depth
     bool shadows = false, counts = false, overdraw = false;
     bool figures = false;  // counters into Statistics
+    bool samples = false;  // every sample by itself, for the judge
 };
 
 /// Planes are width x height, rows from the top.
 struct LightPlanes {
     std::string id;
     std::vector<float> shadow;          // 1: the light reaches the surface
-    std::vector<std::uint32_t> counts;  // shadow volumes that hold the surface point, modulo 256
+    std::vector<std::uint32_t> counts;  // shadow volumes that hold the surface point, modulo 256 unless countsAreWide
+    bool countsAreWide = false;
+    std::vector<std::uint8_t> reaches;  // as `shadow`, of every sample: sample after sample
+};
+
+/// What is seen at every sample, and where it lies in its pixel (from the upper left corner).
+struct SeenSamples {
+    std::vector<glm::vec2> positions;      // of the samples of every pixel
+    std::vector<std::uint32_t> triangles;  // placed triangle or NO_TRIANGLE (shaders/shared.h): sample after sample
 };
 
 struct FramePixels {
@@ -48,6 +58,7 @@ struct FramePixels {
     std::vector<float> normalAndDepth;  // world normal, distance along the view axis
     std::vector<LightPlanes> lights;    // of the moment, in its order; zero where a light is off
     std::vector<float> overdrawFragments, overdrawUpdates;
+    SeenSamples seen;
 };
 
 class FrameRenderer {
@@ -59,6 +70,12 @@ public:
 
     FramePixels render(const Moment& moment, const PlacedCamera& camera, const FrameOutputs& outputs, int frame,
                        Statistics& statistics);
+
+    /// The picture of the last render() with other masks: `reaches` per light of the moment, as in LightPlanes.
+    std::vector<float> shadeAgain(const std::vector<std::vector<std::uint8_t>>& reaches);
+
+    /// Positions and numbering of what the last render() drew.
+    const Geometry& geometry() const;
 
 private:
     struct Impl;

@@ -10,8 +10,10 @@
 #define FLOATS sampler2DMS
 #define UINTS usampler2DMS
 #define UINT_LAYERS usampler2DMSArray
-#ifdef FIRST_SAMPLE
+#if defined(FIRST_SAMPLE)
 #define gbufferSample 0
+#elif defined(CHOSEN_SAMPLE)
+layout(location = 4) uniform int gbufferSample;
 #else
 #define gbufferSample gl_SampleID
 #endif
@@ -34,8 +36,14 @@ layout(std430, binding = BIND_PLANES) readonly buffer Planes { vec4 planes[]; };
 
 layout(location = 1) uniform uint facingStride;  // words between two groups of lights
 
+#ifdef CHOSEN_SAMPLE
+layout(location = 5) uniform vec2 samplePosition;  // in the pixel
+#endif
+
 vec2 ndcHere() {
-#if SAMPLES > 1 && !defined(FIRST_SAMPLE)
+#if defined(CHOSEN_SAMPLE)
+    vec2 at = floor(gl_FragCoord.xy) + samplePosition;
+#elif SAMPLES > 1 && !defined(FIRST_SAMPLE)
     vec2 at = floor(gl_FragCoord.xy) + gl_SamplePosition;
 #else
     vec2 at = gl_FragCoord.xy;

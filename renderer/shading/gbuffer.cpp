@@ -21,6 +21,15 @@ GBuffer::GBuffer(int width, int height, int samples) {
     depthOnly = gpu::Framebuffer("depth", {}, &depthStencil);
 }
 
+std::vector<glm::vec2> GBuffer::samplePositions() const {
+    if (samples() == 1) return {glm::vec2(0.5f)};
+    std::vector<glm::vec2> positions(static_cast<std::size_t>(samples()));
+    framebuffer.bind();
+    for (std::size_t s = 0; s < positions.size(); ++s)
+        glGetMultisamplefv(GL_SAMPLE_POSITION, GLuint(s), &positions[s].x);
+    return positions;
+}
+
 void GBuffer::begin() const {
     framebuffer.bind();
     gpu::RasterState state;

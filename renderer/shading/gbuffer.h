@@ -2,6 +2,9 @@
 // The G-buffer: what is seen at every sample, before any light.
 #pragma once
 
+#include <glm/glm.hpp>
+#include <vector>
+
 #include "gpu/objects.h"
 
 namespace umbrage {
@@ -21,6 +24,9 @@ struct GBuffer {
     int width() const { return depthStencil.size().width; }
     int height() const { return depthStencil.size().height; }
     int samples() const { return depthStencil.size().samples; }
+
+    /// Where the samples of a pixel lie in it, from its upper left corner.
+    std::vector<glm::vec2> samplePositions() const;
 
     /// Binds the framebuffer and clears what needs it: depth and stencil. Other values are read only where depth is.
     void begin() const;

@@ -8,8 +8,8 @@
 namespace umbrage {
 namespace {
 
-gpu::Program programFor(const char* fragment, int samples, const char* extra) {
-    return gpu::Program("fullscreen.vert", fragment, {fmt::format("SAMPLES {}", samples), extra});
+gpu::Program programFor(const char* fragment, int samples, const char* data = "DATA 0") {
+    return gpu::Program("fullscreen.vert", fragment, {fmt::format("SAMPLES {}", samples), data});
 }
 
 }  // namespace
@@ -17,9 +17,10 @@ gpu::Program programFor(const char* fragment, int samples, const char* extra) {
 Resolve::Resolve(const GBuffer& gbuffer)
     : width_(gbuffer.width()),
       height_(gbuffer.height()),
-      shade_(programFor("resolve.frag", gbuffer.samples(), "DATA 0")),
-      geometryData_(programFor("data.frag", gbuffer.samples(), "DATA 0")),
-      shadowData_(programFor("data.frag", gbuffer.samples(), "DATA 1")) {
+      shade_(programFor("resolve.frag", gbuffer.samples())),
+      geometryData_(programFor("data.frag", gbuffer.samples())),
+      shadowData_(programFor("data.frag", gbuffer.samples(), "DATA 1")),
+      sampleData_(programFor("sample.frag", gbuffer.samples())) {
     radiance_ = gpu::Texture("radiance", GL_RGBA32F, gbuffer.depthStencil.size());
     const gpu::Framebuffer::Attachment color{&radiance_};
     target_ = gpu::Framebuffer("radiance", std::span(&color, 1), nullptr);
@@ -80,6 +81,23 @@ std::vector<float> Resolve::readShadows(const GBuffer& gbuffer, const Masks& mas
     shadowData_.uniform(2, firstLight);
     drawFullScreen(shadowData_, target_, gbuffer, masks, silhouettes);
     return read(target_);
+}
+
+std::vector<gpu::uvec2> Resolve::readSample(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
+                                            int sample, const glm::vec2& position, std::uint32_t group) {
+    if (!sample_.name()) {
+        sample_ = gpu::Texture("one sample", GL_RG32UI, {width_, height_});
+        const gpu::Framebuffer::Attachment color{&sample_};
+        sampleTarget_ = gpu::Framebuffer("one sample", std::span(&color, 1), nullptr);
+    }
+    sampleData_.uniform(2, group);
+    if (gbuffer.samples() > 1) sampleData_.uniform(4, GLint(sample));
+    glProgramUniform2f(sampleData_.name(), 5, position.x, position.y);
+    drawFullScreen(sampleData_, sampleTarget_, gbuffer, masks, silhouettes);
+    std::vector<gpu::uvec2> pixels(std::size_t(width_) * std::size_t(height_));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampleTarget_.name());
+    glReadPixels(0, 0, width_, height_, GL_RG_INTEGER, GL_UNSIGNED_INT, pixels.data());
+    return pixels;
 }
 
 }  // namespace umbrage

@@ -31,6 +31,12 @@ public:
     std::vector<float> readShadows(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
                                    std::uint32_t firstLight);
 
+    /// Of one sample of every pixel: the placed triangle that is seen (NO_TRIANGLE: none), and bits of the group's
+    /// lights that reach it (docs/rules.md, G7).
+    /// @param position  of the sample in its pixel
+    std::vector<gpu::uvec2> readSample(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
+                                       int sample, const glm::vec2& position, std::uint32_t group);
+
 private:
     void drawFullScreen(const gpu::Program& program, const gpu::Framebuffer& target, const GBuffer& gbuffer,
                         const Masks& masks, const Silhouettes& silhouettes);
@@ -39,7 +45,9 @@ private:
     int width_, height_;
     gpu::Texture radiance_, averaged_;  // averaged_: only with several samples
     gpu::Framebuffer target_, targetWithDepth_, averagedTarget_;
-    gpu::Program shade_, geometryData_, shadowData_;
+    gpu::Texture sample_;  // these two on first use
+    gpu::Framebuffer sampleTarget_;
+    gpu::Program shade_, geometryData_, shadowData_, sampleData_;
     gpu::VertexArray noVertices_{"full screen"};
 };
 

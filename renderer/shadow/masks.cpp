@@ -98,6 +98,24 @@ void Masks::mark(const gpu::Program& program, const gpu::Stencil& stencil, const
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+void Masks::set(std::uint32_t group, std::span<const std::uint32_t> bits) {
+    const gpu::Texture::Size size = texture_.size();
+    if (!given_.sizeBytes()) {
+        givenProgram_ = gpu::Program("fullscreen.vert", "given_mask.frag", {"SAMPLES " + std::to_string(size.samples)});
+    }
+    given_.reserve("given masks", bits.size_bytes());
+    given_.write(bits);
+    given_.bindStorage(BIND_QUADS);
+    framebuffers_[group].bind();
+    gpu::RasterState state;
+    state.color = gpu::ColorOp::Replace;
+    gpu::apply(state);
+    glProgramUniform2ui(givenProgram_.name(), 0, GLuint(size.width), GLuint(size.height));
+    givenProgram_.use();
+    noVertices_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 const gpu::Framebuffer& Masks::singleSampled(bool wide) const {
     const gpu::Framebuffer& counted = wide ? wideTarget_ : stencilOnly_;
     if (!oneSample_.name()) return counted;

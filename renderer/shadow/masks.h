@@ -20,6 +20,9 @@ public:
     const gpu::Texture& texture() const { return texture_; }
     void clear();
 
+    /// Sets all bits of a group to those given: sample after sample, rows from the top of each.
+    void set(std::uint32_t group, std::span<const std::uint32_t> bits);
+
     /// What the last count() counted, rows from the top; one sample of each pixel. Waits.
     /// @param plan  the last of those given to count()
     /// @return layers over each sample: exact when counted wide, else modulo 256
@@ -44,6 +47,8 @@ private:
     gpu::Texture wideCounts_;  // R32F; these three on first use
     gpu::Framebuffer wideTarget_;
     gpu::Program markWideProgram_;
+    gpu::Program givenProgram_;
+    gpu::Buffer given_;
     gpu::VertexArray noVertices_{"full screen"};
 };
 
