@@ -10,6 +10,7 @@
 #include "diagnostics/statistics.h"
 #include "gpu/context.h"
 #include "scene/moment.h"
+#include "shadow/fault.h"
 #include "shadow/geometry.h"
 #include "shadow/silhouette.h"
 
@@ -28,6 +29,7 @@ struct FrameSettings {
     bool skipOutOfReach = true;       // see shadow/bounds.h
     glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
     bool profile = false;
+    Fault fault = Fault::None;  // planted on purpose, for the judge's own tests
 };
 
 /// What is read back, beside the picture. Nothing asked for, nothing paid.
@@ -50,7 +52,7 @@ struct LightPlanes {
 /// What is seen at every sample, and where it lies in its pixel (from the upper left corner).
 struct SeenSamples {
     std::vector<glm::vec2> positions;      // of the samples of every pixel
-    std::vector<std::uint32_t> triangles;  // placed triangle or NO_TRIANGLE (shaders/shared.h): sample after sample
+    std::vector<std::uint32_t> triangles;  // placed triangle, NO_TRIANGLE or LINE_OR_POINT (shaders/shared.h): sample after sample
 };
 
 struct FramePixels {

@@ -151,6 +151,12 @@ const DeviceInfo& Context::info() const {
     return impl_->info;
 }
 
+int Context::subPixelBits() const {
+    GLint bits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+    return bits;
+}
+
 int Context::maxSamples() const {
     GLint all = 0;
     glGetIntegerv(GL_MAX_SAMPLES, &all);

@@ -33,7 +33,8 @@ public:
     Context& operator=(const Context&) = delete;
 
     const DeviceInfo& info() const;
-    int maxSamples() const;  // of colour, integer and depth textures alike
+    int maxSamples() const;    // of colour, integer and depth textures alike
+    int subPixelBits() const;  // of the grid that vertices are snapped to
 
 private:
     friend std::vector<DeviceInfo> listDevices();

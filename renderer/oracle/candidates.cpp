@@ -4,6 +4,7 @@
 #include <embree3/rtcore.h>
 
 #include <cmath>
+#include <glm/gtx/component_wise.hpp>
 #include <limits>
 
 #include "error.h"
@@ -13,9 +14,13 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// Boxes live in a cube of half size 1, where traversal rounds by a few 2^-24 of the distance travelled; rays begin
-// within kReach of its centre. A margin of 32 times that costs a few more candidates.
-constexpr double kGrowth = 0x1p-18, kReach = 4.0;
+// Boxes live in a cube of half size 1; rays begin within kReach of its centre. What rounds there, in each coordinate:
+// the given origin by kTolerance, its float by 2^-23, the direction's by 2^-25 of at most 8. Together less than half of
+// what boxes are grown by; traversal itself is conservative.
+constexpr double kGrowth = 0x1p-18, kTolerance = 0x1p-21, kReach = 4.0;
+
+// In half sizes of the cube: from there on doubles are too coarse to bring rays into it.
+constexpr double kFar = 0x1p26;
 
 }  // namespace
 
@@ -110,9 +115,21 @@ Candidates::Candidates(std::span<const Corners> corners) : impl_(std::make_uniqu
 
 Candidates::~Candidates() = default;
 
+double Candidates::tolerance() const {
+    return kTolerance / impl_->scale;
+}
+
+void Candidates::visitAll(Call call, void* what) const {
+    for (std::uint32_t i = 0; i < impl_->corners.size(); ++i) {
+        if (call(what, i) < 0.0) return;
+    }
+}
+
 void Candidates::traverse(const Ray& ray, double length, Call call, void* what) const {
     const double size = glm::length(ray.direction);
-    if (!(size > 0.0) || impl_->corners.empty()) return;
+    const double farthest = glm::compMax(glm::max(glm::abs(ray.origin), glm::abs(impl_->centre)));
+    const bool fits = size > 1e-100 && size < 1e100 && farthest * impl_->scale < kFar;
+    if (!fits) return visitAll(call, what);
     const glm::dvec3 direction = ray.direction / size;
     glm::dvec3 origin = (ray.origin - impl_->centre) * impl_->scale;
     const double unitsPerLength = 1.0 / (size * impl_->scale);

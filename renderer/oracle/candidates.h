@@ -18,6 +18,9 @@ public:
     explicit Candidates(std::span<const Corners> corners);
     ~Candidates();
 
+    /// How far from the true one the origin of a ray may be, in each coordinate.
+    double tolerance() const;
+
     /// Visits triangles whose grown box the ray meets within `length` (in units of its direction, may be infinite), in
     /// no particular order, and maybe some more. `visit(index)` returns the length that is still of interest; below 0:
     /// nothing any more. Safe to call from several threads.
@@ -31,6 +34,7 @@ public:
 
 private:
     using Call = double (*)(void*, std::uint32_t);
+    void visitAll(Call call, void* what) const;
     void traverse(const Ray& ray, double length, Call call, void* what) const;
 
     struct Impl;

@@ -51,7 +51,8 @@ inline Bounded operator/(const Bounded& a, const Bounded& b) {
     const double v = a.value / b.value;
     if (!(least > 0.0)) return {v, std::numeric_limits<double>::infinity()};
     const double underflow = std::abs(v) < 0x1p-960 ? 0x1p-1020 : 0.0;
-    return {v, ((a.error + std::abs(v) * b.error) / least + std::abs(v) * kHalfUlp + underflow) * kUp};
+    // Each error is divided by itself: the product of a quotient and a tiny divisor's error would vanish.
+    return {v, (a.error / least + std::abs(v) * (b.error / least) + std::abs(v) * kHalfUlp + underflow) * kUp};
 }
 
 /// mantissa * 2^exponent: sums, differences and products of doubles, exactly.
@@ -77,6 +78,14 @@ public:
         return a.exponent_ >= b.exponent_ ? sum(a, b) : sum(b, a);
     }
     friend Exact operator-(const Exact& a, const Exact& b) { return a + -b; }
+
+    /// a / b, to a few units in the last place.
+    friend double quotient(const Exact& a, const Exact& b) {
+        long exponentA = 0, exponentB = 0;
+        const double fractionA = mpz_get_d_2exp(&exponentA, a.mantissa_.get_mpz_t());
+        const double fractionB = mpz_get_d_2exp(&exponentB, b.mantissa_.get_mpz_t());
+        return std::ldexp(fractionA / fractionB, int(exponentA - exponentB) + a.exponent_ - b.exponent_);
+    }
 
 private:
     Exact(mpz_class mantissa, int exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}

@@ -79,6 +79,11 @@ std::uint32_t Oracle::see(const EyeRay& ray, std::uint32_t solid) const {
     return nearest;
 }
 
+double Oracle::distanceTo(std::uint32_t seen, const Ray& ray) const {
+    const Corners& t = triangles_[seen].corners;
+    return (offset<Bounded>(t, ray) / against<Bounded>(t, ray)).value;
+}
+
 bool Oracle::turnedTo(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {
     const Corners& t = triangles_[seen].corners;
     const int side = sideOfLight(t, light);
@@ -87,7 +92,7 @@ bool Oracle::turnedTo(const glm::dvec4& light, std::uint32_t seen, const Ray& ra
 
 std::uint32_t Oracle::hiddenBy(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {
     const SurfacePoint point(ray, triangles_[seen].corners);
-    const Way way = wayTo(light, point.position());
+    const Way way = wayTo(light, point.position(candidates_->tolerance()));
     std::uint32_t found = kNothing;
     candidates_->along(way.ray, way.length, [&](std::uint32_t i) {
         if (i == seen || !triangles_[i].casts || !point.hiddenBy(corners_[i], light)) return way.length;
@@ -99,7 +104,7 @@ std::uint32_t Oracle::hiddenBy(const glm::dvec4& light, std::uint32_t seen, cons
 
 std::uint32_t Oracle::layersBefore(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {
     const SurfacePoint point(ray, triangles_[seen].corners);
-    const Way way = wayTo(light, point.position());
+    const Way way = wayTo(light, point.position(candidates_->tolerance()));
     std::uint32_t layers = 0;
     candidates_->along(way.ray, way.length, [&](std::uint32_t i) {
         if (i != seen && triangles_[i].casts && point.hiddenBy(corners_[i], light)) ++layers;

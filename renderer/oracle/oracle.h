@@ -36,6 +36,9 @@ public:
     /// @param x, y  in pixels from the upper left corner: the first pixel's centre is (0.5, 0.5)
     EyeRay at(double x, double y) const;
 
+    const glm::dvec3& eye() const { return eye_; }
+    const glm::dvec3& forward() const { return forward_; }
+
 private:
     glm::dvec3 eye_, right_, up_, forward_;
     glm::dvec2 halfExtent_, pixelSize_;
@@ -56,6 +59,9 @@ public:
     /// The nearest visible triangle, or kNothing; of several at the same depth the first. Holed triangles are holes all
     /// over, but for `solid`: alpha textures are not judged.
     std::uint32_t see(const EyeRay& ray, std::uint32_t solid = kNothing) const;
+
+    /// Along the ray, rounded.
+    double distanceTo(std::uint32_t seen, const Ray& ray) const;
 
     /// Whether the light is on the same side of the triangle as the eye.
     bool turnedTo(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const;

@@ -31,8 +31,8 @@ class SurfacePoint {
 public:
     SurfacePoint(const Ray& ray, const Corners& seen);
 
-    /// Rounded.
-    glm::dvec3 position() const;
+    /// At most `within` (metres) and a few units in the last place away.
+    glm::dvec3 position(double within) const;
 
     /// Whether the open segment from here to the light (homogeneous; the half-line, where it is at infinity) passes
     /// through the triangle.

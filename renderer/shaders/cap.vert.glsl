@@ -13,7 +13,6 @@ layout(std430, binding = BIND_TRIANGLE_FLAGS) readonly buffer TriangleFlags { ui
 layout(std430, binding = BIND_TRIANGLE_CHUNKS) readonly buffer TriangleChunks { uint triangleChunks[]; };
 layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { vec4 lightsInModel[]; };
 layout(std430, binding = BIND_FACING) readonly buffer Facing { uvec2 facing[]; };
-layout(std430, binding = BIND_PLANES) readonly buffer Planes { vec4 planes[]; };
 layout(std430, binding = BIND_CASTERS) readonly buffer Casters { CasterState casters[]; };
 
 layout(location = 0) uniform uint lightIndex;
@@ -29,11 +28,11 @@ out gl_PerVertex {
     float gl_ClipDistance[1];
 };
 
-bool inDepthBuffer(uint instance, uint placed, uint flags) {
-    if ((flags & TRIANGLE_HOLED) != 0u) return false;
-    bool seenFromBehind = (view.perspective != 0u ? planes[placed].w < 0.0 : planes[placed].z < 0.0) !=
-                          ((instances[instance].flags & INSTANCE_INSIDE_OUT) != 0u);
-    return !(seenFromBehind && (flags & TRIANGLE_SINGLE_SIDED) != 0u && casters[instance].exposed != 0u);
+/// Whether the depth buffer surely holds it wherever it is the nearest. Of an exposed caster that is not even sure of
+/// the faces turned to the eye: the rasteriser culls slivers by their snapped corners. At its own depth a cap that is
+/// in the depth buffer after all has the same depth, is not nearer, and counts as it should.
+bool inDepthBuffer(uint instance, uint flags) {
+    return (flags & TRIANGLE_HOLED) == 0u && casters[instance].exposed == 0u;
 }
 
 void main() {
@@ -50,7 +49,7 @@ void main() {
     bool fails = (casters[instance].countedByFail & lightBit) != 0u;
     if (!counted || fails != (byFail != 0u)) return;
 
-    bool visible = cap == CAP_NEAR || cap == CAP_DARK || inDepthBuffer(instance, placed, flags) == (cap == CAP_FAR);
+    bool visible = cap == CAP_NEAR || cap == CAP_DARK || inDepthBuffer(instance, flags) == (cap == CAP_FAR);
     bool flip = (side.y != 0u) != ((instances[instance].flags & INSTANCE_MIRRORED) != 0u);  // outward is (a, c, b)
     if (!visible || (cap == CAP_TRUE && flip != (clockwise != 0u))) return;
     // CAP_TRUE keeps the order in which the surface itself was drawn, so that both have the same depth to the bit.
@@ -66,5 +65,6 @@ void main() {
     vec3 inView = viewFromModel(instance, vec4(p, 1.0));
     gl_Position = clipFromView(inView, 1.0);
     if (cap == CAP_FAR) gl_Position.z = 0.0;
-    gl_ClipDistance[0] = cap == CAP_NEAR ? -beyondNear(inView) : beyondNear(inView);
+    // CAP_TRUE is clipped as the surface itself was, so that depths agree to the bit.
+    gl_ClipDistance[0] = cap == CAP_TRUE ? beforeFar(inView) : cap == CAP_NEAR ? -beyondNear(inView) : beyondNear(inView);
 }

@@ -26,5 +26,5 @@ void main() {
         vec3 l;
         if (!(arriving(lights[first + i], p, l) > 0.0)) reaching &= ~(1u << i);
     }
-    outSample = uvec2(triangle, reaching);
+    outSample = uvec2(triangle == NO_TRIANGLE ? LINE_OR_POINT : triangle, reaching);
 }

@@ -83,6 +83,7 @@ using mat4 = glm::mat4;
 
 // A placed triangle: InstanceData::placedTriangleBase + triangle of the mesh. Background and lines have none.
 #define NO_TRIANGLE 0xffffffffu
+#define LINE_OR_POINT 0xfffffffeu  // what readers of samples get where one of these is seen
 
 struct InstanceData {
     vec4 viewFromModel[3];    // rows

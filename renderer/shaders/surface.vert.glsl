@@ -32,7 +32,7 @@ void main() {
     uint instance = draws[draw].instance;
     vec3 p = viewFromModel(instance, vec4(position, 1.0));
     gl_Position = clipFromView(p, 1.0);
-    gl_ClipDistance[0] = view.zfar > 0.0 ? view.zfar + p.z : 1.0;  // T12: an infinite projection, cut at zfar
+    gl_ClipDistance[0] = beforeFar(p);
     gl_PointSize = 1.0;
     viewPosition = p;
     viewNormal = vec3(dot(instances[instance].normalFromModel[0].xyz, normal),

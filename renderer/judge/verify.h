@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Renders a sequence by several techniques and judges every frame and light against the oracle.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "frame/frame.h"
+#include "gpu/context.h"
+#include "image/image.h"
+#include "job/job.h"
+#include "judge/verdict.h"
+
+namespace umbrage {
+
+/// A pair of a silhouette and a count technique, written silhouette:count.
+struct Technique {
+    std::string silhouette, count;
+
+    std::string name() const { return silhouette + ":" + count; }
+};
+
+/// All pairs; those that claim exactness come with every frame of zero hard errors.
+const std::vector<Technique>& allTechniques();
+
+/// "compute:z-pass,cpu:z-fail" or "all". @throws Error(Usage) that lists the names
+std::vector<Technique> parseTechniques(const std::string& text);
+
+struct VerifyOptions {
+    std::vector<Technique> techniques;
+    int othersEvery = 1;  // techniques after the first judge only every n-th of the frames, from the first on
+    bool counts = false;  // judge integer counts too: a second picture, without the skips that change counts
+    bool allowExternalFiles = false;
+    int threads = 0;  // of the oracle; 0: as many as processors
+    Fault fault = Fault::None;
+};
+
+class VerifyObserver {
+public:
+    virtual ~VerifyObserver() = default;
+    virtual void note(const std::string& text) = 0;
+    virtual void started(std::size_t verdictCount) = 0;
+    /// @param radiance  the picture judged, RGBA linear
+    virtual void judged(const FrameVerdict& verdict, const VerdictPlanes& planes,
+                        const std::vector<float>& radiance) = 0;
+};
+
+/// @param display  for errors in display codes
+/// @throws Error
+void verify(const Job& job, const gpu::Context& context, const DisplayTransform& display, const VerifyOptions& options,
+            VerifyObserver& observer, const std::atomic<bool>& interrupted);
+
+}  // namespace umbrage
