@@ -211,6 +211,14 @@ bool Explainer::mayBeSilhouette(const JudgedLight& light, std::uint32_t triangle
     return sum != 0;
 }
 
+/// Every beam touches an edge that the light lies on, at its very end, which does not count: the way is open there.
+bool Explainer::endsOn(const JudgedLight& light, const glm::dvec3& a, const glm::dvec3& b) const {
+    if (light.place.w == 0.0) return false;
+    const glm::dvec3 l(light.place);
+    const glm::dvec3 nearest = a + glm::clamp(glm::dot(l - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0) * (b - a);
+    return !(glm::length(l - nearest) > tolerance_.position * largestOf(l - rays_.eye()));
+}
+
 /// Whether the beam from the patch to the light touches an edge of the shadow's outline, or the patch a caster's plane.
 bool Explainer::nearSilhouette(const JudgedLight& light, std::uint32_t seen, const Patch& patch) const {
     const Corners& receiver = oracle_[seen].corners;
@@ -254,7 +262,8 @@ bool Explainer::nearSilhouette(const JudgedLight& light, std::uint32_t seen, con
         });
         if (!coplanar && atPoint.holdsZero()) return true;  // the caster passes through the patch
         for (std::size_t k = 0; k < 3; ++k) {
-            if (edges[k].holdsZero() && mayBeSilhouette(light, i, k)) return true;
+            if (edges[k].holdsZero() && !endsOn(light, t[k], t[(k + 1) % 3]) && mayBeSilhouette(light, i, k))
+                return true;
         }
     }
     return false;

@@ -14,5 +14,6 @@ vec4 lightInModel(uint instance, uint l) { return lightsInModel[instance * total
 
 uint listOf(uint instance, uint l, bool even) {
     if ((casters[instance].countedByFail >> l & 1u) != 0u) return LIST_FAIL;
-    return even && (instances[instance].flags & INSTANCE_WHOLE) == 0u ? LIST_HALVED : LIST_WHOLE;
+    bool halved = even && (instances[instance].flags & INSTANCE_WHOLE) == 0u && (casters[instance].lightOn >> l & 1u) == 0u;
+    return halved ? LIST_HALVED : LIST_WHOLE;
 }

@@ -36,6 +36,27 @@ float sideOf(vec3 n, vec3 a, vec4 p) {
     return side;
 }
 
+/// For a light within a triangle's box, floats do not say whether it lies on the triangle, which then hides nothing from
+/// it: there the side is decided in double, whose error on floats is beyond anything that such a light can mean.
+/// @return  0 only if the light lies in the plane
+float sideOfNearLight(vec3 a, vec3 b, vec3 c, vec3 light) {
+    precise dvec3 u = dvec3(b) - dvec3(a);
+    precise dvec3 v = dvec3(c) - dvec3(a);
+    precise dvec3 d = dvec3(light) - dvec3(a);
+    precise dvec3 n;
+    n.x = u.y * v.z - u.z * v.y;
+    n.y = u.z * v.x - u.x * v.z;
+    n.z = u.x * v.y - u.y * v.x;
+    precise double side = n.x * d.x + n.y * d.y + n.z * d.z;
+    double magnitude = dot(abs(d), abs(u.yzx * v.zxy) + abs(u.zxy * v.yzx));
+    return abs(side) < 1e-14lf * magnitude ? 0.0 : (side > 0.0lf ? 1.0 : (side < 0.0lf ? -1.0 : 0.0));
+}
+
+bool inBoxOf(vec3 a, vec3 b, vec3 c, vec4 light) {
+    return light.w != 0.0 && all(greaterThanEqual(light.xyz, min(a, min(b, c)))) &&
+           all(lessThanEqual(light.xyz, max(a, max(b, c))));
+}
+
 /// Whether the sign of det[d, a, b] is certain in float, and which: -1, +1, or 0 for uncertain. Inputs carry rounding
 /// of 2^-24 each; 1e-5 of the sum of magnitudes is far beyond what they can add up to.
 int certainSign(vec3 d, vec3 a, vec3 b) {
@@ -120,13 +141,17 @@ void main() {
         vec4 light = lightInModel(instance, l);
         float side = sideOf(normal, a, light);
         uint bit = 1u << l;
+        bool near = inBoxOf(a, b, c, light);
+        if (near) side = sideOfNearLight(a, b, c, light.xyz);
         if (side > 0.0) {
             bits.x |= bit;
-        } else if (side < 0.0 || (flags & TRIANGLE_EVEN) != 0u) {
+        } else if (side < 0.0 || ((flags & TRIANGLE_EVEN) != 0u && !near)) {
             // Any weight is legal (G1); in an even component an edge-on triangle gets one, so that
             // every edge keeps an even multiplicity and its quads can be halved.
             bits.y |= bit;
         } else {
+            // Not so where the light lies on the triangle: its volume would be half of space.
+            if (near) atomicOr(casters[instance].lightOn, bit);
             continue;
         }
         if ((flags & TRIANGLE_CASTS) == 0u) continue;

@@ -127,6 +127,8 @@ struct CasterState {
     uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
     uint exposed;        // some culled back face of it is nearer than what is seen there (T1)
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
+    uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight: not halved; written
+                         // by the silhouette passes
 };
 
 // What the silhouette passes say about one light.

@@ -58,9 +58,10 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
                      std::uint32_t countedByFail, bool figures, Silhouettes& out) {
     for (gpu::CasterState& caster : out.hostCasters) {
         caster.countedByFail = countedByFail;
-        caster.hazards = 0;
+        caster.hazards = caster.lightOn = 0;
     }
-    std::vector<std::uint32_t> changed(out.hostCasters.size());  // bits of lights whose count was changed already
+    // Bits of lights whose count was changed already, and of those known to lie on a caster.
+    std::vector<std::uint32_t> changed(out.hostCasters.size()), lightOn(out.hostCasters.size());
     if (out.capacity == 0) out.capacity = 1024 + geometry.placedEdgeCount() / 16;
     for (;;) {
         out.quads.reserve("side quads", std::size_t(group.count) * LIST_COUNT * out.capacity * sizeof(std::uint32_t));
@@ -75,7 +76,8 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];
             const std::uint32_t found = caster.hazards & ~changed[i];
-            again = again || found != 0;
+            again = again || found != 0 || caster.lightOn != lightOn[i];
+            lightOn[i] = caster.lightOn;
             caster.countedByFail ^= found;
             caster.hazards = 0;
             changed[i] |= found;

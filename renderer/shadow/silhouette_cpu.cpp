@@ -40,6 +40,21 @@ float sideOf(const glm::vec3& n, const glm::vec3& a, const glm::vec4& p) {
     return n.x * d.x + n.y * d.y + n.z * d.z;
 }
 
+/// See facing.comp.glsl.
+float sideOfNearLight(const std::array<glm::vec3, 3>& t, const glm::dvec3& light) {
+    const glm::dvec3 a(t[0]), u = glm::dvec3(t[1]) - a, v = glm::dvec3(t[2]) - a, d = light - a, n = glm::cross(u, v);
+    const double side = n.x * d.x + n.y * d.y + n.z * d.z;
+    const glm::dvec3 sizes(std::abs(u.y * v.z) + std::abs(u.z * v.y), std::abs(u.z * v.x) + std::abs(u.x * v.z),
+                           std::abs(u.x * v.y) + std::abs(u.y * v.x));
+    if (std::abs(side) < 1e-14 * glm::dot(glm::abs(d), sizes)) return 0.0f;
+    return side > 0.0 ? 1.0f : side < 0.0 ? -1.0f : 0.0f;
+}
+
+bool inBoxOf(const std::array<glm::vec3, 3>& t, const glm::vec4& light) {
+    const glm::vec3 low = glm::min(t[0], glm::min(t[1], t[2])), high = glm::max(t[0], glm::max(t[1], t[2])), l(light);
+    return light.w != 0.0f && glm::all(glm::greaterThanEqual(l, low)) && glm::all(glm::lessThanEqual(l, high));
+}
+
 /// T4; see edges.comp.glsl.
 bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
     if (eye.w == 0.0f && light.w == 0.0f) return false;
@@ -99,7 +114,7 @@ private:
     static std::uint32_t listOf(const gpu::InstanceData& instance, const gpu::CasterState& caster, std::uint32_t l,
                                 bool even) {
         if (caster.countedByFail >> l & 1u) return LIST_FAIL;
-        return even && !(instance.flags & INSTANCE_WHOLE) ? LIST_HALVED : LIST_WHOLE;
+        return even && !(instance.flags & INSTANCE_WHOLE) && !(caster.lightOn >> l & 1u) ? LIST_HALVED : LIST_WHOLE;
     }
 
     void faceTriangles(const Geometry& geometry, std::uint32_t i, const LightGroup& group, Silhouettes& out);
@@ -151,8 +166,11 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
             gpu::LightSummary& summary = out.hostSummaries[l];
             for (std::uint32_t k = 0; k < count; ++k) {
                 const std::uint32_t flags = geometry.triangleFlags()[instance.triangleBase + first + k];
+                const bool near = inBoxOf(corners[k], light);
+                if (near) side[k] = sideOfNearLight(corners[k], glm::dvec3(light));
                 const bool front = side[k] > 0.0f;
-                const bool back = side[k] < 0.0f || (!front && (flags & TRIANGLE_EVEN));
+                const bool back = side[k] < 0.0f || (!front && !near && (flags & TRIANGLE_EVEN));
+                if (!front && !back && near) out.hostCasters[i].lightOn |= 1u << l;
                 gpu::uvec2& bits = facing_[instance.placedTriangleBase + first + k];
                 bits.x |= std::uint32_t(front) << l;
                 bits.y |= std::uint32_t(back) << l;
