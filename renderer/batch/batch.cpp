@@ -6,17 +6,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <iterator>
 #include <memory>
 
 #include "batch/frame_files.h"
 #include "batch/write_queue.h"
 #include "error.h"
-#include "frame/frame.h"
+#include "frame/settings.h"
 #include "gpu/context.h"
 #include "image/image.h"
-#include "scene/compose.h"
 #include "version.h"
 
 namespace umbrage {
@@ -32,46 +30,6 @@ GltfOptions gltfOptionsOf(const BatchOptions& options) {
     GltfOptions gltf;
     gltf.allowExternalFiles = options.allowExternalFiles;
     return gltf;
-}
-
-glm::vec3 vec3Of(const std::array<double, 3>& v) {
-    return {float(v[0]), float(v[1]), float(v[2])};
-}
-
-FrameSettings settingsOf(const Job& job, const Composition& composition) {
-    FrameSettings settings;
-    settings.width = job.image.width;
-    settings.height = job.image.height;
-    settings.samples = job.image.samples;
-    settings.shadows = job.shadow.enabled;
-    // Until there is a cost model, auto is what is fastest on every device measured so far.
-    settings.silhouette = job.shadow.silhouette == "auto" ? "compute" : job.shadow.silhouette;
-    settings.count = job.shadow.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
-    settings.eyeConstant = job.shadow.eyeConstant;
-    const auto skip = [&](const char* name) {
-        const auto found = job.shadow.skips.find(name);
-        return found == job.shadow.skips.end() || found->second;
-    };
-    settings.halveEvenComponents = skip("halve");
-    settings.skipOutOfReach = skip("range");
-    settings.background = vec3Of(job.image.background);
-    settings.ambientSky = composition.ambientSky;
-    settings.ambientGround = composition.ambientGround;
-    settings.profile = job.diagnostics.profile;
-    return settings;
-}
-
-/// The job's frames. Those of a bare scene's animation begin at frame 1, and the last one is at its last key or the
-/// first after it.
-FrameRange framesOf(const Job& job, const Composition& composition) {
-    if (!job.time.wholeAnimation) return job.time.frames;
-    double seconds = 0.0;
-    for (const Index i : composition.animations) {
-        seconds = std::max(seconds, composition.scene.animations[std::size_t(i)].durationSeconds());
-    }
-    // Key times are floats: 49/24 s may come out as a little more than 49 frames.
-    const double last = std::ceil(seconds * job.time.framesPerSecond - 1e-3);
-    return FrameRange::parse(fmt::format("1-{:.0f}", std::max(1.0, last)), "--frames all");
 }
 
 /// Nothing in it changes from frame to frame of a picture that stands still.
@@ -102,7 +60,6 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     const Clock::time_point start = Clock::now();
     const std::future<void> prefetch = prefetchCodec();
     BatchSummary summary;
-    const auto timeOf = [&](int frame) { return double(frame) / job.time.framesPerSecond; };
 
     const FrameOutputs outputs = neededOutputs(job);
     const Composition composition = compose(job, gltfOptionsOf(options));
@@ -110,7 +67,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     const std::vector<int>& frames = range.frames();
     summary.requested = frames.size();
     const gpu::Context context(options.device);
-    const Moment first = evaluate(composition.scene, composition.animations, timeOf(frames.front()));
+    const Moment first = evaluate(composition.scene, composition.animations, frameSeconds(job, frames.front()));
     FrameRenderer renderer(composition.scene, first, settingsOf(job, composition), context);
     const std::unique_ptr<DisplayTransform> display =
         codec().displayTransform({options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display,
@@ -140,7 +97,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
         for (const int frame : frames) {
             if (interrupted) break;
             const Clock::time_point frameStart = Clock::now();
-            const Moment moment = evaluate(composition.scene, composition.animations, timeOf(frame));
+            const Moment moment = evaluate(composition.scene, composition.animations, frameSeconds(job, frame));
             const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
             auto pixels = std::make_unique<FramePixels>(renderer.render(moment, camera, outputs, frame, statistics));
             if (job.diagnostics.profile) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "error.h"
 #include "image/overlay.h"
@@ -127,16 +126,9 @@ std::string overlayFileName(std::string_view overlay) {
 }
 
 void writeOverlay(const Writing& w, const Overlay& overlay) {
-    std::vector<std::uint8_t> beauty;
-    beauty.reserve(3 * w.pixelCount());
-    for (std::size_t i = 0; i < w.displayed.size(); ++i) {
-        if (i % 4 != 3) beauty.push_back(std::uint8_t(std::lround(std::clamp(w.displayed[i], 0.0f, 1.0f) * 255.0f)));
-    }
     const OverlayStyle style{std::string(overlay.title), overlay.scaleMaximum};
-    const std::vector<std::uint8_t> rgb = drawOverlay(w.width(), w.height(), overlay.counts(w), beauty, style);
-    const std::uint8_t* p = rgb.data();
-    w.write(overlayFileName(overlay.name), "png",
-            {{"R", PixelType::UInt8, p, 3}, {"G", PixelType::UInt8, p + 1, 3}, {"B", PixelType::UInt8, p + 2, 3}});
+    const RgbPicture picture = drawOverlay(w.width(), w.height(), overlay.counts(w), rgbBytes(w.displayed), style);
+    codec().write(outputPath(w.job, overlayFileName(overlay.name), w.frame, "png"), picture.file(w.metadata));
 }
 
 template <class Visit>

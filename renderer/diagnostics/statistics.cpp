@@ -9,15 +9,10 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "diagnostics/csv_field.h"
+
 namespace umbrage {
 namespace {
-
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 // Counts are whole numbers and should look like it.
 nlohmann::ordered_json jsonNumber(double value) {

@@ -118,7 +118,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
     silhouettes.casters.clearToZero();
     gbuffer.depthOnly.bind();
-    surfaces.findExposed(geometry, materials, silhouettes.casters, eye);
+    surfaces.findExposed(geometry, materials, silhouettes.casters);
     silhouettes.hostCasters.resize(geometry.instanceCount());
     silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
                              silhouettes.hostCasters.data());
@@ -127,11 +127,12 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     counts.perspective = eye.perspective;
     const std::vector<Geometry::Bounds> modelBounds = geometry.modelBounds();
     boxes = worldBounds(geometry, modelBounds);
-    counts.nearer = nearerThanNearPlane(geometry, modelBounds, eye);
+    const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
     counts.holed = surfaces.holed();
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
-        whole[i] = !halve || counts.nearer[i] || counts.holed[i] || silhouettes.hostCasters[i].exposed != 0;
+        if (nearer[i]) silhouettes.hostCasters[i].missing = 1;
+        whole[i] = !halve || counts.holed[i] || silhouettes.hostCasters[i].missing != 0;
     }
     geometry.setWhole(whole);
     return counts;
@@ -305,8 +306,8 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.geometry.update(r.scene, moment, eye);
     r.uploadView(lights);
     r.begin("time.gbuffer");
-    r.gbuffer.begin();
-    r.surfaces.drawOpaque(r.geometry, r.materials, eye);
+    r.gbuffer.begin(eye.emptyDepth());
+    r.surfaces.drawOpaque(r.geometry, r.materials);
     r.castShadows(lights, outputs, frame, statistics, planesOf);
     pixels.radiance = r.shade();
     gpu::checkGl("while rendering");

@@ -47,9 +47,10 @@ void apply(const RasterState& state) {
     glDepthFunc(depthFunction(state.depth));
     glDepthMask(state.depthWrite);
     enable(GL_DEPTH_CLAMP, state.depthClamp);
+    enable(GL_POLYGON_OFFSET_FILL, state.pushedBack);
+    if (state.pushedBack) glPolygonOffset(-1.0f / 256.0f, -4.0f);
     enable(GL_SAMPLE_SHADING, state.everySample);
     glMinSampleShading(1.0f);
-    for (int i = 0; i < 2; ++i) enable(GLenum(GL_CLIP_DISTANCE0 + i), i < state.clipDistances);
     enable(GL_CULL_FACE, state.cull != Cull::None);
     glCullFace(state.cull == Cull::Front ? GL_FRONT : GL_BACK);
     glFrontFace(state.frontIsClockwise ? GL_CW : GL_CCW);

@@ -6,7 +6,7 @@
 
 namespace umbrage::gpu {
 
-enum class Depth { Off, Nearer, NearerOrEqual, NotNearer, Always };
+enum class Depth { Off, Nearer, NearerOrEqual, NotNearer };
 enum class Cull { None, Back, Front };
 enum class ColorOp { Off, Replace, OrBits, Add, Over };
 
@@ -23,7 +23,7 @@ struct RasterState {
     Depth depth = Depth::Off;
     bool depthWrite = false;
     bool depthClamp = false;  // off: clipped at the near plane
-    int clipDistances = 0;    // how many gl_ClipDistance are on
+    bool pushedBack = false;  // by what interpolation rounds: 1/256 pixel along the slope and four quanta
     Cull cull = Cull::None;
     bool frontIsClockwise = false;
     bool everySample = false;  // run the fragment shader for each sample

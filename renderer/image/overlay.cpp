@@ -16,44 +16,6 @@ namespace {
 
 constexpr float kDimmed = 0.35f;      // of the beauty picture's grey, where nothing is counted
 constexpr float kSeenThrough = 0.2f;  // of its grey under the colours: enough to see where one is, scale still legible
-constexpr Rgb8 kPanel{16, 16, 16}, kInk{235, 235, 235};
-
-class Canvas {
-public:
-    Canvas(int width, int height) : width_(width), height_(height), rgb_(std::size_t(width) * height * 3) {}
-
-    void set(int x, int y, const Rgb8& color) {
-        assert(x >= 0 && y >= 0 && x < width_ && y < height_);
-        std::copy(color.begin(), color.end(), rgb_.begin() + (std::ptrdiff_t(y) * width_ + x) * 3);
-    }
-
-    void fill(int x, int y, int width, int height, const Rgb8& color) {
-        for (int row = y; row < y + height; ++row) {
-            for (int column = x; column < x + width; ++column) set(column, row, color);
-        }
-    }
-
-    void text(int x, int y, int scale, std::string_view line) {
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            const int left = x + static_cast<int>(i) * kGlyphAdvance * scale;
-            for (int gy = 0; gy < kGlyphHeight; ++gy) {
-                for (int gx = 0; gx < kGlyphWidth; ++gx) {
-                    if (glyphCovers(line[i], gx, gy)) fill(left + gx * scale, y + gy * scale, scale, scale, kInk);
-                }
-            }
-        }
-    }
-
-    void centredText(int centre, int y, int scale, std::string_view line) {
-        text(centre - textWidth(line) * scale / 2, y, scale, line);
-    }
-
-    std::vector<std::uint8_t> take() && { return std::move(rgb_); }
-
-private:
-    int width_, height_;
-    std::vector<std::uint8_t> rgb_;
-};
 
 // The smallest 1, 2 or 5 times a power of ten whose numbers stand clear of each other; whole where counts are whole.
 float tickStep(float scaleMaximum, int barWidth) {
@@ -86,11 +48,6 @@ struct LegendLayout {
         return (width + 2 * kMargin) * scale <= pictureWidth && (kHeight + 2 * kMargin) * scale <= pictureHeight / 2;
     }
 };
-
-std::string shortened(std::string_view title, int width) {
-    if (textWidth(title) <= width) return std::string(title);
-    return std::string(title.substr(0, static_cast<std::size_t>(width / kGlyphAdvance - 3))) + "...";
-}
 
 void drawLegend(Canvas& canvas, int pictureWidth, int pictureHeight, const FalseColor& colors,
                 const OverlayStyle& style) {
@@ -139,18 +96,10 @@ void drawLegend(Canvas& canvas, int pictureWidth, int pictureHeight, const False
     canvas.centredText(belowCentre, labelTop, s, "<0");
 }
 
-Rgb8 mixed(const Rgb8& color, float grey, float greyShare) {
-    Rgb8 result;
-    for (std::size_t c = 0; c < 3; ++c) {
-        result[c] = static_cast<std::uint8_t>(color[c] * (1.0f - greyShare) + grey * greyShare + 0.5f);
-    }
-    return result;
-}
-
 }  // namespace
 
-std::vector<std::uint8_t> drawOverlay(int width, int height, std::span<const float> counts,
-                                      std::span<const std::uint8_t> beautyRgb, const OverlayStyle& style) {
+RgbPicture drawOverlay(int width, int height, std::span<const float> counts, std::span<const std::uint8_t> beautyRgb,
+                       const OverlayStyle& style) {
     assert(counts.size() == std::size_t(width) * height && style.scaleMaximum > 0.0f);
     assert(beautyRgb.empty() || beautyRgb.size() == 3 * counts.size());
     const FalseColor colors(style.scaleMaximum);
@@ -164,9 +113,7 @@ std::vector<std::uint8_t> drawOverlay(int width, int height, std::span<const flo
                 canvas.set(x, y, color);
                 continue;
             }
-            const auto* rgb = &beautyRgb[3 * i];
-            const float grey = 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
-            canvas.set(x, y, mixed(color, grey, counted ? kSeenThrough : kDimmed));
+            canvas.set(x, y, mixed(color, greyOf(&beautyRgb[3 * i]), counted ? kSeenThrough : kDimmed));
         }
     }
     drawLegend(canvas, width, height, colors, style);

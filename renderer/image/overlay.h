@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
+
+#include "image/canvas.h"
 
 namespace umbrage {
 
@@ -21,8 +22,8 @@ struct OverlayStyle {
 ///
 /// @param counts  width x height values, rows from the top; NaN: no data, drawn as 0
 /// @param beautyRgb  width x height display RGB, shown dimmed and grey below the counts; empty: black
-/// @return width x height RGB
-std::vector<std::uint8_t> drawOverlay(int width, int height, std::span<const float> counts,
-                                      std::span<const std::uint8_t> beautyRgb, const OverlayStyle& style);
+/// @return width x height
+RgbPicture drawOverlay(int width, int height, std::span<const float> counts, std::span<const std::uint8_t> beautyRgb,
+                       const OverlayStyle& style);
 
 }  // namespace umbrage

@@ -88,7 +88,7 @@ Exactly exactly(const oracle::Oracle& oracle, const JudgedLight& light, std::uin
 struct Explainer::Patch {
     std::array<glm::dvec3, 8> points;
     glm::dvec3 centre{0.0};
-    bool valid = true;  // false: the surface is seen edge-on within the tolerance
+    bool valid = true;  // false: the surface is seen edge-on, or cut by the near plane, within the tolerance
     double radius = 0.0;
     double rounding = 0.0;  // of positions there, metres
 };
@@ -161,6 +161,8 @@ Explainer::Patch Explainer::patchOf(const Sample& sample, std::uint32_t seen) co
         if (!(distance > 0.0 && distance < 2.0 * e)) patch.valid = false;
         depths.add(distance, depth);
     }
+    // There all depths before it are the same, its own as well.
+    if (depths.low <= middle.near && middle.near <= depths.high) patch.valid = false;
     for (std::size_t i = 0; i < 8; ++i) {
         patch.points[i] = rays[i / 2].origin + (i % 2 ? depths.high : depths.low) * rays[i / 2].direction;
         patch.radius = std::max(patch.radius, glm::length(patch.points[i] - patch.centre));

@@ -11,24 +11,78 @@
 #include "error.h"
 #include "frame/settings.h"
 #include "judge/judge.h"
+#include "judge/random_scene.h"
 #include "scene/compose.h"
 
 namespace umbrage {
 namespace {
 
-/// One technique's renderer, with and without counts.
-struct Contender {
-    Technique technique;
-    std::unique_ptr<FrameRenderer> renderer;
-};
+/// Renders moments of one scene by several techniques and judges them.
+class Verifier {
+public:
+    Verifier(const Scene& scene, const Moment& first, const FrameSettings& settings, const gpu::Context& context,
+             const DisplayTransform& display, const VerifyOptions& options)
+        : display_(display),
+          options_(options),
+          judge_(scene, settings.width, settings.height, toleranceOf(context.subPixelBits()), options.threads) {
+        for (const Technique& technique : options.techniques) {
+            FrameSettings own = settings;
+            own.silhouette = technique.silhouette;
+            own.count = technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
+            own.fault = options.fault;
+            contenders_.push_back({technique.name(), std::make_unique<FrameRenderer>(scene, first, own, context)});
+        }
+    }
 
-FrameSettings settingsFor(const Technique& technique, const Job& job, const Composition& composition, Fault fault) {
-    FrameSettings settings = settingsOf(job, composition);
-    settings.silhouette = technique.silhouette;
-    settings.count = technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
-    settings.fault = fault;
-    return settings;
-}
+    void judgeFrame(int frame, const Moment& moment, const PlacedCamera& camera, bool onlyFirst,
+                    VerifyObserver& observer) {
+        for (const Contender& contender : contenders_) {
+            const bool first = &contender == &contenders_.front();
+            if (!first && onlyFirst) return;
+            judgeOne(contender, first, frame, moment, camera, observer);
+        }
+    }
+
+private:
+    struct Contender {
+        std::string name;
+        std::unique_ptr<FrameRenderer> renderer;
+    };
+
+    void judgeOne(const Contender& contender, bool first, int frame, const Moment& moment, const PlacedCamera& camera,
+                  VerifyObserver& observer) {
+        using Clock = std::chrono::steady_clock;
+        FrameRenderer& renderer = *contender.renderer;
+        FrameOutputs outputs, counting;
+        outputs.samples = counting.counts = true;
+        Statistics unused;
+        const Clock::time_point start = Clock::now();
+        FramePixels pixels = renderer.render(moment, camera, outputs, frame, unused);
+        const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        // The first technique's picture decides where alpha masks have holes; all of them draw the same surfaces.
+        if (first) judge_.setFrame(moment, camera, renderer, pixels);
+        const std::vector<float> exactRadiance = renderer.shadeAgain(judge_.exact());
+        if (options_.counts) {
+            FramePixels counted = renderer.render(moment, camera, counting, frame, unused);
+            for (std::size_t l = 0; l < pixels.lights.size(); ++l) {
+                pixels.lights[l].counts = std::move(counted.lights[l].counts);
+                pixels.lights[l].countsAreWide = counted.lights[l].countsAreWide;
+            }
+        }
+        VerdictPlanes planes;
+        FrameVerdict verdict = judge_.judge(pixels, contender.name, planes);
+        verdict.frame = frame;
+        verdict.technique = contender.name;
+        verdict.radiance = compareRadiance(pixels.radiance, exactRadiance, display_);
+        verdict.renderMilliseconds = milliseconds;
+        observer.judged(verdict, planes, pixels.radiance);
+    }
+
+    const DisplayTransform& display_;
+    const VerifyOptions& options_;
+    Judge judge_;
+    std::vector<Contender> contenders_;
+};
 
 }  // namespace
 
@@ -59,7 +113,6 @@ std::vector<Technique> parseTechniques(const std::string& text) {
 
 void verify(const Job& job, const gpu::Context& context, const DisplayTransform& display, const VerifyOptions& options,
             VerifyObserver& observer, const std::atomic<bool>& interrupted) {
-    using Clock = std::chrono::steady_clock;
     GltfOptions gltf;
     gltf.allowExternalFiles = options.allowExternalFiles;
     const Composition composition = compose(job, gltf);
@@ -67,55 +120,30 @@ void verify(const Job& job, const gpu::Context& context, const DisplayTransform&
     const FrameRange range = framesOf(job, composition);
     const std::vector<int>& frames = range.frames();
     const auto momentAt = [&](int frame) {
-        return evaluate(composition.scene, composition.animations, double(frame) / job.time.framesPerSecond);
+        return evaluate(composition.scene, composition.animations, frameSeconds(job, frame));
     };
-    const Moment first = momentAt(frames.front());
-
-    std::vector<Contender> contenders;
-    std::size_t expected = 0;
-    for (const Technique& technique : options.techniques) {
-        const FrameSettings settings = settingsFor(technique, job, composition, options.fault);
-        contenders.push_back({technique, std::make_unique<FrameRenderer>(composition.scene, first, settings, context)});
-        const std::size_t every = contenders.size() == 1 ? 1 : std::size_t(std::max(1, options.othersEvery));
-        expected += (frames.size() + every - 1) / every;
-    }
-    observer.started(expected);
-
-    Judge judge(composition.scene, job.image.width, job.image.height, toleranceOf(context.subPixelBits()),
-                options.threads);
-    FrameOutputs outputs;
-    outputs.samples = true;
-    for (std::size_t f = 0; f < frames.size(); ++f) {
+    Verifier verifier(composition.scene, momentAt(frames.front()), settingsOf(job, composition), context, display,
+                      options);
+    const auto every = std::size_t(std::max(1, options.othersEvery));
+    observer.started(frames.size() + (options.techniques.size() - 1) * ((frames.size() + every - 1) / every));
+    for (std::size_t f = 0; f < frames.size() && !interrupted; ++f) {
         const Moment moment = momentAt(frames[f]);
         const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
-        for (std::size_t c = 0; c < contenders.size(); ++c) {
-            if (c > 0 && options.othersEvery > 1 && f % std::size_t(options.othersEvery) != 0) continue;
-            if (interrupted) return;
-            FrameRenderer& renderer = *contenders[c].renderer;
-            Statistics unused;
-            const Clock::time_point start = Clock::now();
-            FramePixels pixels = renderer.render(moment, camera, outputs, frames[f], unused);
-            const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-            if (c == 0) judge.setFrame(moment, camera, renderer, pixels);
-            // The first technique's G-buffer decided where alpha masks have holes; all of them draw the same one.
-            const std::vector<float> exactRadiance = renderer.shadeAgain(judge.exact());
-            if (options.counts) {
-                FrameOutputs counting;
-                counting.counts = true;
-                const FramePixels counted = renderer.render(moment, camera, counting, frames[f], unused);
-                for (std::size_t l = 0; l < pixels.lights.size(); ++l) {
-                    pixels.lights[l].counts = counted.lights[l].counts;
-                    pixels.lights[l].countsAreWide = counted.lights[l].countsAreWide;
-                }
-            }
-            VerdictPlanes planes;
-            FrameVerdict verdict = judge.judge(pixels, contenders[c].technique.name(), planes);
-            verdict.frame = frames[f];
-            verdict.technique = contenders[c].technique.name();
-            verdict.radiance = compareRadiance(pixels.radiance, exactRadiance, display);
-            verdict.renderMilliseconds = milliseconds;
-            observer.judged(verdict, planes, pixels.radiance);
-        }
+        verifier.judgeFrame(frames[f], moment, camera, f % every != 0, observer);
+    }
+}
+
+void verifyRandom(std::uint64_t seed, int count, const gpu::Context& context, const DisplayTransform& display,
+                  const VerifyOptions& options, VerifyObserver& observer, const std::atomic<bool>& interrupted) {
+    observer.started(std::size_t(count) * options.techniques.size());
+    for (int i = 0; i < count && !interrupted; ++i) {
+        const RandomScene made = randomScene(seed + std::uint64_t(i));
+        const Moment moment = evaluate(made.scene, {}, 0.0);
+        FrameSettings settings;
+        settings.width = made.width;
+        settings.height = made.height;
+        Verifier(made.scene, moment, settings, context, display, options)
+            .judgeFrame(i + 1, moment, made.camera, false, observer);
     }
 }
 

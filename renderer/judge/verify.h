@@ -46,6 +46,11 @@ public:
                         const std::vector<float>& radiance) = 0;
 };
 
+/// Random scenes (random_scene.h) instead of a sequence: verdicts of seeds `seed` to `seed + count - 1`, one frame
+/// each, with the seed's place as its frame number, from 1.
+void verifyRandom(std::uint64_t seed, int count, const gpu::Context& context, const DisplayTransform& display,
+                  const VerifyOptions& options, VerifyObserver& observer, const std::atomic<bool>& interrupted);
+
 /// @param display  for errors in display codes
 /// @throws Error
 void verify(const Job& job, const gpu::Context& context, const DisplayTransform& display, const VerifyOptions& options,

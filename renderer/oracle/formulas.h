@@ -66,7 +66,6 @@ struct Point {
 /// w * (a - p).
 template <class N>
 Vector<N> fromPoint(const Point<N>& p, const glm::dvec3& a) {
-    if constexpr (std::is_same_v<N, Bounded>) return vectorOf<N>(a) - p.v;
     return p.w * vectorOf<N>(a) - p.v;
 }
 
@@ -74,7 +73,6 @@ Vector<N> fromPoint(const Point<N>& p, const glm::dvec3& a) {
 template <class N>
 Vector<N> towards(const Point<N>& p, const glm::dvec4& light) {
     if (light.w != 0.0) return fromPoint(p, glm::dvec3(light));
-    if constexpr (std::is_same_v<N, Bounded>) return vectorOf<N>(glm::dvec3(light));
     return p.w * vectorOf<N>(glm::dvec3(light));
 }
 
@@ -97,11 +95,17 @@ N offset(const Corners& t, const Ray& ray) {
     return dot(normalOf<N>(t), vectorOf<N>(t[0]) - vectorOf<N>(ray.origin));
 }
 
+/// Where the ray meets the plane, in units of its direction. An infinite error where they may be parallel.
+inline Bounded distanceAlong(const Ray& ray, const Corners& t) {
+    const Vector<Bounded> n = normalOf<Bounded>(t), d = vectorOf<Bounded>(ray.direction);
+    return dot(n, vectorOf<Bounded>(t[0]) - vectorOf<Bounded>(ray.origin)) / dot(n, d);
+}
+
 template <class N>
 Point<N> surfacePoint(const Corners& seen, const Ray& ray) {
-    const N along = offset<N>(seen, ray), den = against<N>(seen, ray);
     const Vector<N> e = vectorOf<N>(ray.origin), d = vectorOf<N>(ray.direction);
-    if constexpr (std::is_same_v<N, Bounded>) return {e + (along / den) * d, 1.0};
+    if constexpr (std::is_same_v<N, Bounded>) return {e + distanceAlong(ray, seen) * d, 1.0};
+    const N along = offset<N>(seen, ray), den = against<N>(seen, ray);
     Point<N> p{den * e + along * d, den};
     if (den.sign() < 0) p = {N(-1.0) * p.v, -den};
     return p;

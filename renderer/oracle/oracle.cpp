@@ -60,19 +60,27 @@ Oracle::Oracle(std::vector<Triangle> triangles) : triangles_(std::move(triangles
 std::uint32_t Oracle::see(const EyeRay& ray, std::uint32_t solid) const {
     std::uint32_t nearest = kNothing;
     double length = ray.far;
+    Bounded best;  // distance of the nearest
     candidates_->along(ray, ray.far, [&](std::uint32_t i) {
         const Triangle& t = triangles_[i];
         if (!t.visible || (t.holed && i != solid)) return length;
+        if (!meets(ray, t.corners)) return length;
         const int side = sideOfRay(t.corners, ray);
-        if (side == 0 || (side < 0 && t.singleSided) || !meets(ray, t.corners)) return length;
-        if (compareDepth(ray, t.corners, ray.near) < 0) return length;
-        if (ray.far < kForever && compareDepth(ray, t.corners, ray.far) > 0) return length;
+        if (side == 0 || (side < 0 && t.singleSided)) return length;
+        const Bounded distance = distanceAlong(ray, t.corners);
+        // Distances of places on the ray, in doubles where these decide.
+        const auto order = [&](const Bounded& other, const auto& exactly) {
+            const Bounded difference = distance - other;
+            return difference.signKnown() ? difference.sign() : compareDepth(ray, t.corners, exactly);
+        };
+        if (order(ray.near, ray.near) < 0) return length;
+        if (ray.far < kForever && order(ray.far, ray.far) > 0) return length;
         if (nearest != kNothing) {
-            const int order = compareDepth(ray, t.corners, triangles_[nearest].corners);
-            if (order > 0 || (order == 0 && i > nearest)) return length;
+            const int later = order(best, corners_[nearest]);
+            if (later > 0 || (later == 0 && i > nearest)) return length;
         }
         nearest = i;
-        const Bounded distance = offset<Bounded>(t.corners, ray) / against<Bounded>(t.corners, ray);
+        best = distance;
         length = std::min(length, distance.value + distance.error);
         return length;
     });
@@ -80,8 +88,7 @@ std::uint32_t Oracle::see(const EyeRay& ray, std::uint32_t solid) const {
 }
 
 double Oracle::distanceTo(std::uint32_t seen, const Ray& ray) const {
-    const Corners& t = triangles_[seen].corners;
-    return (offset<Bounded>(t, ray) / against<Bounded>(t, ray)).value;
+    return distanceAlong(ray, corners_[seen]).value;
 }
 
 bool Oracle::turnedTo(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/predicates.h"
 
+#include <algorithm>
+#include <glm/gtx/component_wise.hpp>
+
 namespace umbrage::oracle {
 namespace {
 
@@ -32,8 +35,8 @@ double largest(const glm::dvec3& v) {
 /// Crossing in plain doubles, with one bound for its edges and one for the rest: decides nearly all that is asked.
 ///
 /// With |a|, |b|, |c| <= m wrong by at most y m, and |r| <= s by x s, a determinant of six products is wrong by
-/// 6 s m^2 ((1 + x) (1 + y)^2 - 1), at most 7 s m^2 (x + 2 y) while x and y are below 1/16, and by its own five roundings
-/// of each product.
+/// 6 s m^2 ((1 + x) (1 + y)^2 - 1), at most 7 s m^2 (x + 2 y) while x and y are below 1/16, and by its own five
+/// roundings of each product.
 struct Glance {
     /// @param errorP, errorR  of p and r, in each coordinate
     Glance(const glm::dvec3& p, double errorP, const glm::dvec3& r, double errorR, const Corners& t) {
@@ -43,7 +46,8 @@ struct Glance {
         edges = {glm::dot(r, glm::cross(a, b)), glm::dot(r, bc), glm::dot(r, glm::cross(c, a))};
         const double s = largest(r), m = std::max({largest(a), largest(b), largest(c)});
         const double error = errorP + kHalfUlp * m;
-        if (16.0 * error > m || 16.0 * errorR > s || !(s * m * m > 0x1p-900) || !(m * m * m > 0x1p-900)) return;
+        const bool ordinary = inRange(s * m * m) && inRange(m * m * m) && 16.0 * error < m && 16.0 * errorR < s;
+        if (!ordinary) return;
         edgeBound = 8.0 * m * (m * errorR + 2.0 * s * error + 8.0 * kHalfUlp * s * m);
         pointBound = 8.0 * m * m * (3.0 * error + 8.0 * kHalfUlp * m);
     }
@@ -66,27 +70,13 @@ struct Glance {
         return (atPoint > 0.0) == (atLight > 0.0) ? 1 : -1;
     }
 
+    /// Nothing has overflowed, and what may have underflowed is nothing next to it.
+    static bool inRange(double product) { return product > 0x1p-900 && product < 0x1p900; }
+
     glm::dvec3 a, bc;
     std::array<double, 3> edges;
     double edgeBound = std::numeric_limits<double>::infinity(), pointBound = edgeBound;
 };
-
-/// Known to miss: two edges' signs are known and differ.
-bool surelyBeside(const std::array<Bounded, 3>& edges) {
-    bool positive = false, negative = false;
-    for (const Bounded& edge : edges) {
-        positive = positive || edge.value > edge.error;
-        negative = negative || -edge.value > edge.error;
-    }
-    return positive && negative;
-}
-
-bool surelyThrough(const std::array<Bounded, 3>& edges) {
-    for (const Bounded& edge : edges) {
-        if (!(std::abs(edge.value) > edge.error)) return false;
-    }
-    return true;  // and not surelyBeside()
-}
 
 }  // namespace
 
@@ -103,9 +93,6 @@ bool meets(const Ray& ray, const Corners& t) {
     if (glance.beside()) return false;
     if (glance.through()) return true;
     const glm::dvec4 direction(ray.direction, 0.0);
-    const Crossing<Bounded> fast = crossing<Bounded>({vectorOf<Bounded>(ray.origin)}, t, direction);
-    if (surelyBeside(fast.edges)) return false;
-    if (surelyThrough(fast.edges)) return true;
     const Point<Exact> origin{vectorOf<Exact>(ray.origin)};
     return passesThrough(edgeSides(crossing<Exact>(origin, t, direction), origin, t));
 }
@@ -123,30 +110,25 @@ int compareDepth(const Ray& ray, const Corners& t, double distance) {
     return -order * sideOfRay(t, ray);
 }
 
-SurfacePoint::SurfacePoint(const Ray& ray, const Corners& seen)
-    : ray_(ray), seen_(seen), bounded_(surfacePoint<Bounded>(seen, ray)) {}
+SurfacePoint::SurfacePoint(const Ray& ray, const Corners& seen) : ray_(ray), seen_(seen) {
+    const Vector<Bounded> p = surfacePoint<Bounded>(seen, ray).v;
+    rounded_ = {p.x.value, p.y.value, p.z.value};
+    error_ = p.x.error + p.y.error + p.z.error;  // a sum, so that none is lost that is not a number
+}
 
 glm::dvec3 SurfacePoint::position(double within) const {
-    const Vector<Bounded>& p = bounded_.v;
-    if (p.x.error <= within && p.y.error <= within && p.z.error <= within) return {p.x.value, p.y.value, p.z.value};
+    if (error_ <= within) return rounded_;
     const Point<Exact> exact = surfacePoint<Exact>(seen_, ray_);
     return {quotient(exact.v.x, exact.w), quotient(exact.v.y, exact.w), quotient(exact.v.z, exact.w)};
 }
 
 bool SurfacePoint::hiddenBy(const Corners& t, const glm::dvec4& light) const {
-    const glm::dvec3 p = rounded(bounded_), l(light), way = light.w != 0.0 ? l - p : l;
-    const double error = std::max({bounded_.v.x.error, bounded_.v.y.error, bounded_.v.z.error});
-    const double wayError = light.w != 0.0 ? error + kHalfUlp * largest(way) : 0.0;
-    const Glance glance(p, error, way, wayError, t);
+    const glm::dvec3 l(light), way = light.w != 0.0 ? l - rounded_ : l;
+    const Glance glance(rounded_, error_, way, light.w != 0.0 ? error_ + kHalfUlp * largest(way) : 0.0, t);
     if (glance.beside()) return false;
     if (glance.through()) {
         const int reaches = glance.reaches(light.w != 0.0);
         if (reaches != 0) return reaches > 0;
-    }
-    const Crossing<Bounded> fast = crossing(bounded_, t, light);
-    if (surelyBeside(fast.edges)) return false;
-    if (surelyThrough(fast.edges) && fast.atPoint.signKnown() && fast.atLight.signKnown()) {
-        return fast.atPoint.sign() != 0 && fast.atPoint.sign() == fast.atLight.sign();
     }
     const Point<Exact> p = surfacePoint<Exact>(seen_, ray_);
     const Crossing<Exact> exact = crossing(p, t, light);

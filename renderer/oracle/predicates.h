@@ -41,7 +41,8 @@ public:
 private:
     Ray ray_;
     Corners seen_;
-    Point<Bounded> bounded_;
+    glm::dvec3 rounded_;
+    double error_;  // in each coordinate
 };
 
 }  // namespace umbrage::oracle

@@ -25,7 +25,7 @@ void main() {
 #if DATA == 0
     outData.w = uintBitsToFloat(0x7f800000u);  // background: infinitely far
 #endif
-    if (depth == 0.0) return;
+    if (depth == view.emptyDepth) return;
     uint triangle = texelFetch(triangleTexture, at, gbufferSample).r;
     vec2 ndc = ndcHere();
     float e = eyeDistance(triangle, depth, ndc);

@@ -31,7 +31,7 @@ bool hazardous(vec4 eye, vec4 light, vec3 a, vec3 b) {
     vec3 n = cross(u, v);
     float size = length(n);
     float scale = eye.w == 0.0 ? length(e) : max(length(e), max(distance(eye.xyz, a), distance(eye.xyz, b)));
-    if (abs(dot(n, e)) >= 1.52587890625e-5 * scale * size) return false;
+    if (abs(dot(n, e)) >= HAZARD * scale * size) return false;
     if (size == 0.0) return true;
     const float kMargin = 0.015625;
     float alongU = dot(cross(e, v), n) / (size * size);  // e = alongU u + alongV v

@@ -10,4 +10,4 @@ layout(std430, binding = BIND_CASTERS) buffer Casters { CasterState casters[]; }
 
 layout(location = 5) flat in uvec3 drawn;
 
-void main() { casters[drawn.x].exposed = 1u; }
+void main() { casters[drawn.x].missing = 1u; }

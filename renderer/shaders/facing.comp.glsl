@@ -97,6 +97,13 @@ bool crosses(vec3 origin, vec3 d, vec3 a, vec3 b, vec3 c, inout bool undecided) 
     return ab == bc && bc == ca;
 }
 
+/// T4 for caps: with the eye on a triangle view rays begin on both sides of it, and no constant is right for all.
+bool onTriangle(vec3 eye, float eyeSide, vec3 n, vec3 a, vec3 b, vec3 c) {
+    float near = HAZARD * max(distance(eye, a), max(distance(eye, b), distance(eye, c)));
+    return abs(eyeSide) <= near * length(n) && all(greaterThanEqual(eye, min(a, min(b, c)) - near)) &&
+           all(lessThanEqual(eye, max(a, max(b, c)) + near));
+}
+
 /// Adds the triangle to the eye constant of its list when it lies between light and eye. For an orthographic eye that
 /// is the infinite end of the view rays that the list's counting starts from: behind the viewer for z-pass, before it
 /// for z-fail (T5); a perspective z-fail ends in the dark cap and needs no constant.
@@ -110,6 +117,7 @@ void countEye(uint instance, uint l, uint flags, vec3 a, vec3 b, vec3 c, vec3 n,
         return;
     }
     float eyeSide = sideOf(n, a, eye);
+    if (eye.w != 0.0 && onTriangle(eye.xyz, eyeSide, n, a, b, c)) atomicOr(casters[instance].hazards, 1u << l);
     if (eyeSide == 0.0 || (eyeSide > 0.0) == (lightSide > 0.0)) return;
     vec3 origin = eye.w == 0.0 ? light.xyz : eye.xyz;
     vec3 d = eye.w == 0.0 ? eye.xyz : light.xyz - light.w * eye.xyz;

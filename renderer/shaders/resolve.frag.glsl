@@ -11,7 +11,7 @@ layout(location = 0) out vec4 outRadiance;
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depthTexture, at, gbufferSample).r;
-    if (depth == 0.0) {
+    if (depth == view.emptyDepth) {
         outRadiance = view.background;
         return;
     }

@@ -15,7 +15,7 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     float depth = texelFetch(depthTexture, at, gbufferSample).r;
     outSample = uvec2(NO_TRIANGLE, 0u);
-    if (depth == 0.0) return;
+    if (depth == view.emptyDepth) return;
     uint triangle = texelFetch(triangleTexture, at, gbufferSample).r;
     vec2 ndc = ndcHere();
     vec3 p = viewPositionAt(eyeDistance(triangle, depth, ndc), ndc);

@@ -105,16 +105,16 @@ struct Edge {
 // Each list in two: quads seen nearly edge-on are kept apart, at kind + LIST_EDGE_ON (see count.frag.glsl).
 #define LIST_EDGE_ON LIST_KINDS
 #define LIST_COUNT (2 * LIST_KINDS)
+#define HAZARD 1.52587890625e-5   // 2^-16, of the distance: closer than this to a volume's faces the eye is on them (T4)
 #define EDGE_ON_SINE 0.0078125  // of the angle between the quad's plane and the direction to its edge
 
 // Uniform location shared by programs that differ in their vertex shader.
 #define COUNT_FRONT_VALUE 15
 
 // Kinds of caps, see cap.vert.glsl.
-#define CAP_NEAR 0
-#define CAP_TRUE 1
-#define CAP_FAR 2
-#define CAP_DARK 3
+#define CAP_TRUE 0
+#define CAP_FAR 1
+#define CAP_DARK 2
 
 // A command of glDrawElementsIndirect.
 struct DrawCommand {
@@ -125,7 +125,7 @@ struct DrawCommand {
 struct CasterState {
     uint countedByFail;  // bits of this group's lights: counted by z-fail
     uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
-    uint exposed;        // some culled back face of it is nearer than what is seen there (T1)
+    uint missing;        // some of it is nearer than what is seen there: culled, or before the near plane (T1)
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight: not halved; written
                          // by the silhouette passes
@@ -157,7 +157,8 @@ struct ViewData {
     uint perspective;
     uint lightCount;
     vec2 pixelSize;  // in NDC
-    vec2 unusedView;
+    float emptyDepth;  // where nothing is seen: that of zfar for perspective cameras, whose projection is infinite (T12)
+    float unusedView;
 };
 
 struct MaterialData {

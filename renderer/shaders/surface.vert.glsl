@@ -24,7 +24,6 @@ layout(location = 5) flat out uvec3 drawn;  // instance, first placed triangle, 
 
 out gl_PerVertex {
     invariant vec4 gl_Position;
-    float gl_ClipDistance[1];
     float gl_PointSize;
 };
 
@@ -32,7 +31,6 @@ void main() {
     uint instance = draws[draw].instance;
     vec3 p = viewFromModel(instance, vec4(position, 1.0));
     gl_Position = clipFromView(p, 1.0);
-    gl_ClipDistance[0] = beforeFar(p);
     gl_PointSize = 1.0;
     viewPosition = p;
     viewNormal = vec3(dot(instances[instance].normalFromModel[0].xyz, normal),

@@ -12,9 +12,3 @@ vec4 clipFromView(vec3 p, float w) {
     c.w = view.clipFromView[2][3] * p.z + view.clipFromView[3][3] * w;
     return c;
 }
-
-/// Distance left to the camera's zfar: the far plane of gl_ClipDistance (T12: an infinite projection, cut at zfar).
-float beforeFar(vec3 p) { return view.zfar > 0.0 ? view.zfar + p.z : 1.0; }
-
-/// Distance from the eye along the view axis, minus znear: the near plane of gl_ClipDistance.
-float beyondNear(vec3 p) { return -p.z - view.znear; }

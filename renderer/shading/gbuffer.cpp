@@ -30,13 +30,13 @@ std::vector<glm::vec2> GBuffer::samplePositions() const {
     return positions;
 }
 
-void GBuffer::begin() const {
+void GBuffer::begin(float emptyDepth) const {
     framebuffer.bind();
     gpu::RasterState state;
     state.depthWrite = true;
     gpu::apply(state);
     glStencilMask(0xff);
-    glClearBufferfi(GL_DEPTH_STENCIL, 0, 0.0f, 0);
+    glClearBufferfi(GL_DEPTH_STENCIL, 0, emptyDepth, 0);
 }
 
 void GBuffer::bindTextures() const {

@@ -17,7 +17,7 @@ struct GBuffer {
     gpu::Texture normal;        // RG16: octahedral, view space, of the shading normal
     gpu::Texture properties;    // RGBA8: metallic, roughness, occlusion, lit
     gpu::Texture emissive;      // RGBA16F
-    gpu::Texture depthStencil;  // D32F_S8: reversed depth, 0 is background
+    gpu::Texture depthStencil;  // D32F_S8: reversed depth
     gpu::Framebuffer framebuffer;
     gpu::Framebuffer depthOnly;
 
@@ -29,7 +29,8 @@ struct GBuffer {
     std::vector<glm::vec2> samplePositions() const;
 
     /// Binds the framebuffer and clears what needs it: depth and stencil. Other values are read only where depth is.
-    void begin() const;
+    /// @param emptyDepth  nothing farther is seen
+    void begin(float emptyDepth) const;
     /// For gbuffer.glsl: units 0 to 5.
     void bindTextures() const;
 };

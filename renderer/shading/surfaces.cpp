@@ -86,7 +86,7 @@ void Surfaces::submit(const Draw& draw, const Geometry& geometry) const {
         GLint(geometry.instances()[draw.instance].vertexBase), draw.id);
 }
 
-void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, const Eye& eye) {
+void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials) {
     geometry.bind();
     drawBuffer_.bindStorage(BIND_DRAWS);
     vertexArray_.bind();
@@ -94,7 +94,6 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, 
     state.depth = gpu::Depth::Nearer;
     state.depthWrite = true;
     state.color = gpu::ColorOp::Replace;
-    state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
     std::uint32_t bound = ~0u;
     bool boundClockwise = false;
     for (const Draw& draw : opaque_) {
@@ -113,8 +112,7 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, 
     }
 }
 
-void Surfaces::findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters,
-                           const Eye& eye) {
+void Surfaces::findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters) {
     geometry.bind();
     drawBuffer_.bindStorage(BIND_DRAWS);
     casters.bindStorage(BIND_CASTERS);
@@ -123,7 +121,6 @@ void Surfaces::findExposed(const Geometry& geometry, const Materials& materials,
     gpu::RasterState state;
     state.depth = gpu::Depth::Nearer;
     state.cull = gpu::Cull::Front;
-    state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
     for (const bool clockwise : {false, true}) {
         state.frontIsClockwise = clockwise;
         gpu::apply(state);
@@ -154,7 +151,6 @@ void Surfaces::drawBlended(const Geometry& geometry, const Materials& materials,
     gpu::RasterState state;
     state.depth = gpu::Depth::NearerOrEqual;
     state.color = gpu::ColorOp::Over;
-    state.clipDistances = eye.zfar > 0.0 && eye.perspective ? 1 : 0;
     for (const auto& [z, draw] : order) {
         materials.bind(draw->material);
         state.frontIsClockwise = frontIsClockwise(*draw, geometry);

@@ -19,11 +19,11 @@ public:
 
     /// Opaque and masked primitives into the G-buffer that is bound: the viewer sees front faces, and back faces of
     /// double-sided materials (docs/rules.md, G7).
-    void drawOpaque(const Geometry& geometry, const Materials& materials, const Eye& eye);
+    void drawOpaque(const Geometry& geometry, const Materials& materials);
 
     /// Marks casters with a culled back face nearer than what is seen (T1) in CasterState::exposed; the finished depth
     /// buffer is bound.
-    void findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters, const Eye& eye);
+    void findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters);
 
     bool anyBlended() const { return !blended_.empty(); }
     /// Back to front by the middle of each primitive's bounds; of double-sided ones the back faces first.

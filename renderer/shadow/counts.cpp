@@ -13,7 +13,7 @@ gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) 
     using Into = VolumeRenderer::Into;
     gpu::RasterState state;
     state.depthClamp = true;  // every view ray starts at the eye itself (G5)
-    state.depth = part.rule == Rule::Always ? gpu::Depth::Always : gpu::Depth::Nearer;
+    state.depth = gpu::Depth::Nearer;
     switch (into) {
         case Into::Stencil:
             state.stencil.enabled = true;
@@ -73,11 +73,10 @@ std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGro
     if (!halved.parts.empty() || eyeInside(LIST_HALVED) != 0) plans.push_back(std::move(halved));
 
     const auto notInDepthBuffer = [&](std::uint32_t i) {
-        return settings.holed[i] || silhouettes.hostCasters[i].exposed != 0;
+        return settings.holed[i] || silhouettes.hostCasters[i].missing != 0;
     };
     CountPlan whole;
     if (!parallelToView) addSides(whole, LIST_WHOLE, Rule::Pass, summary);
-    addCap(whole, CAP_NEAR, Rule::Always, silhouettes, l, [&](std::uint32_t i) { return settings.nearer[i]; });
     addCap(whole, CAP_TRUE, Rule::Pass, silhouettes, l, notInDepthBuffer);
     addSides(whole, LIST_FAIL, Rule::Fail, summary);
     addCap(whole, CAP_TRUE, Rule::Fail, silhouettes, l, notInDepthBuffer);
@@ -153,7 +152,9 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
     program.uniform(3, 1u << l);
     program.uniform(4, part.what);
     program.uniform(5, GLuint(part.rule == Rule::Fail));
-    state.clipDistances = 1;
+    // What lies in the plane of what is seen (the surface itself, a coincident face that is culled) hides nothing, so a
+    // cap at its own depth must not be nearer by rounding. Before the near plane its depth is clamped: nearer than all.
+    state.pushedBack = part.what == CAP_TRUE;
     // Neighbouring instances make one range: the vertex shader drops the padding between them.
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;
@@ -167,20 +168,8 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
         counts.back() = GLsizei(3 * (instance.placedTriangleBase + instance.triangleCount)) - firsts.back();
         last = i;
     }
-    const auto drawAll = [&] {
-        gpu::apply(state);
-        glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), GLsizei(firsts.size()));
-    };
-    if (part.what != CAP_TRUE) {
-        drawAll();
-        return;
-    }
-    state.depthClamp = false;  // clipped as the surface itself was, so that depths agree to the bit
-    for (const bool clockwise : {false, true}) {
-        program.uniform(6, GLuint(clockwise));
-        state.frontIsClockwise = clockwise;
-        drawAll();
-    }
+    gpu::apply(state);
+    glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), GLsizei(firsts.size()));
 }
 
 }  // namespace umbrage

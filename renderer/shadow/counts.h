@@ -26,7 +26,6 @@ struct VolumePart {
     enum class Rule {
         Pass,    // +1 front, -1 back where nearer than what is seen
         Fail,    // -1 front, +1 back where not nearer
-        Always,  // as Pass, everywhere
     };
     Kind kind = Kind::Sides;
     Rule rule = Rule::Pass;
@@ -46,7 +45,6 @@ struct CountPlan {
 struct CountSettings {
     bool eyeConstant = true;  // off: textbook z-pass, wrong with the eye in a volume
     bool perspective = true;
-    std::vector<bool> nearer;  // per instance: may reach in front of the near plane
     std::vector<bool> holed;   // per instance: has alpha-masked triangles
 };
 

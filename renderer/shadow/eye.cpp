@@ -40,6 +40,7 @@ gpu::ViewData viewDataOf(const Eye& eye) {
     data.znear = float(eye.znear);
     data.zfar = float(eye.zfar);
     data.perspective = eye.perspective;
+    data.emptyDepth = eye.emptyDepth();
     return data;
 }
 

@@ -42,6 +42,16 @@ std::uint32_t largestList(std::span<const gpu::LightSummary> summaries) {
     return quads;
 }
 
+/// An orthographic eye that looks exactly along the way from the light to a vertex has volumes that end at either end
+/// of its rays, on one side of that vertex: neither count has one constant then. Where both are hazardous the caster's
+/// light is moved across the view by 2^-20 of its distance, far below what a pixel shows.
+void moveAcrossView(const gpu::InstanceData& instance, glm::vec4& light) {
+    const glm::vec3 along(instance.eyeInModel);
+    const glm::vec3 across = glm::normalize(glm::cross(along, glm::vec3(0.8f, 0.53f, -0.29f) * glm::length(along)));
+    const float size = std::max(glm::length(glm::vec3(light)), 1e-30f);
+    light += glm::vec4(0x1p-20f * size * across, 0.0f);
+}
+
 void clearSummaries(const Silhouettes& out, std::uint32_t lightCount, std::vector<gpu::LightSummary>& summaries) {
     summaries.assign(lightCount, {});
     for (std::uint32_t l = 0; l < lightCount; ++l) {
@@ -62,6 +72,7 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
     }
     // Bits of lights whose count was changed already, and of those known to lie on a caster.
     std::vector<std::uint32_t> changed(out.hostCasters.size()), lightOn(out.hostCasters.size());
+    std::vector<std::uint32_t> moved(out.hostCasters.size());  // bits of lights that were moved for it
     if (out.capacity == 0) out.capacity = 1024 + geometry.placedEdgeCount() / 16;
     for (;;) {
         out.quads.reserve("side quads", std::size_t(group.count) * LIST_COUNT * out.capacity * sizeof(std::uint32_t));
@@ -75,6 +86,16 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         if (again) out.capacity = needed + needed / 4;
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];
+            if (const std::uint32_t both = caster.hazards & changed[i] & ~moved[i]; both != 0) {
+                for (std::uint32_t l = 0; l < group.count; ++l) {
+                    if (!(both >> l & 1u)) continue;
+                    moveAcrossView(geometry.instances()[i],
+                                   out.hostLightsInModel[i * out.totalLights + group.first + l]);
+                }
+                out.lightsInModel.write(std::span<const glm::vec4>(out.hostLightsInModel));
+                moved[i] |= both;
+                again = true;
+            }
             const std::uint32_t found = caster.hazards & ~changed[i];
             again = again || found != 0 || caster.lightOn != lightOn[i];
             lightOn[i] = caster.lightOn;

@@ -65,7 +65,7 @@ bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a,
     const float size = glm::length(n);
     const float scale =
         eye.w == 0.0f ? glm::length(e) : std::max({glm::length(e), glm::distance(p, a), glm::distance(p, b)});
-    if (std::abs(glm::dot(n, e)) >= 0x1p-16f * scale * size) return false;
+    if (std::abs(glm::dot(n, e)) >= float(HAZARD) * scale * size) return false;
     if (size == 0.0f) return true;
     constexpr float kMargin = 0x1p-6f;
     const float alongU = glm::dot(glm::cross(e, v), n) / (size * size);
@@ -78,6 +78,16 @@ bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a,
                alongV * glm::length(v) > -kMargin * (glm::length(u) + glm::length(e));
     }
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0f - kMargin;
+}
+
+/// T4 for caps; see facing.comp.glsl.
+bool onTriangle(const glm::vec3& eye, float eyeSide, const glm::vec3& n, const std::array<glm::vec3, 3>& t) {
+    const float near =
+        float(HAZARD) * std::max({glm::distance(eye, t[0]), glm::distance(eye, t[1]), glm::distance(eye, t[2])});
+    const glm::vec3 low = glm::min(t[0], glm::min(t[1], t[2])) - near;
+    const glm::vec3 high = glm::max(t[0], glm::max(t[1], t[2])) + near;
+    return std::abs(eyeSide) <= near * glm::length(n) && glm::all(glm::greaterThanEqual(eye, low)) &&
+           glm::all(glm::lessThanEqual(eye, high));
 }
 
 /// See edges.comp.glsl.
@@ -192,6 +202,7 @@ void CpuSilhouettes::countEye(const gpu::InstanceData& instance, const glm::vec4
     if (orthographic ? light.w == 0.0f : list == LIST_FAIL) return;
     if (orthographic && list == LIST_FAIL) eye = -eye;
     const float eyeSide = sideOf(n, v[0], eye);
+    if (!orthographic && onTriangle(glm::vec3(eye), eyeSide, n, v)) caster.hazards |= 1u << l;
     if (eyeSide == 0.0f || (eyeSide > 0.0f) == (lightSide > 0.0f)) return;
     const glm::dvec3 e(eye), p(light);
     bool undecided = false;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace umbrage {
+namespace {
+
+glm::vec3 vec3Of(const std::array<double, 3>& v) {
+    return {float(v[0]), float(v[1]), float(v[2])};
+}
+
+}  // namespace
+
+ShadowTechniques techniquesOf(const Job& job) {
+    // Until there is a cost model, auto is what is fastest on every device measured so far.
+    const auto chosen = [](const std::string& name, const char* automatic) {
+        return name == "auto" ? std::string(automatic) : name;
+    };
+    return {chosen(job.shadow.silhouette, "compute"), chosen(job.shadow.count, "z-pass")};
+}
+
+FrameSettings settingsOf(const Job& job, const Composition& composition) {
+    FrameSettings settings;
+    settings.width = job.image.width;
+    settings.height = job.image.height;
+    settings.samples = job.image.samples;
+    settings.shadows = job.shadow.enabled;
+    const ShadowTechniques techniques = techniquesOf(job);
+    settings.silhouette = techniques.silhouette;
+    settings.count = techniques.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
+    settings.eyeConstant = job.shadow.eyeConstant;
+    const auto skip = [&](const char* name) {
+        const auto found = job.shadow.skips.find(name);
+        return found == job.shadow.skips.end() || found->second;
+    };
+    settings.halveEvenComponents = skip("halve");
+    settings.skipOutOfReach = skip("range");
+    settings.background = vec3Of(job.image.background);
+    settings.ambientSky = composition.ambientSky;
+    settings.ambientGround = composition.ambientGround;
+    settings.profile = job.diagnostics.profile;
+    return settings;
+}
+
+FrameRange framesOf(const Job& job, const Composition& composition) {
+    if (!job.time.wholeAnimation) return job.time.frames;
+    double seconds = 0.0;
+    for (const Index i : composition.animations) {
+        seconds = std::max(seconds, composition.scene.animations[std::size_t(i)].durationSeconds());
+    }
+    // Key times are floats: 49/24 s may come out as a little more than 49 frames.
+    const double last = std::ceil(seconds * job.time.framesPerSecond - 1e-3);
+    return FrameRange::parse(fmt::format("1-{:.0f}", std::max(1.0, last)), "--frames all");
+}
+
+double frameSeconds(const Job& job, int frame) {
+    return double(frame) / job.time.framesPerSecond;
+}
+
+}  // namespace umbrage
