@@ -15,6 +15,7 @@ int run(int argc, char** argv) {
     const std::optional<Options> options = parseOptions(argc, argv, exitCode);
     if (!options) return exitCode;
     if (options->render) return runRender(*options->render, options->quiet);
+    if (options->verify) return runVerify(*options->verify, options->quiet);
     if (options->inspect) return runInspect(*options->inspect);
     if (options->schema) return runSchema(*options->schema);
     return runDevices();

@@ -8,45 +8,96 @@
 #include <iostream>
 #include <map>
 
+#include "command_line.h"
 #include "exit_codes.h"
 #include "job/nearest.h"
+#include "shadow/fault.h"
 #include "version.h"
 
 namespace umbrage {
 namespace {
 
 constexpr const char* kFooter =
-    "Exit codes: 0 ok; 1 frames failed; 2 usage; 3 bad sequence or scene; 4 no OpenGL; 5 output could not be written;\n"
+    "Exit codes: 0 ok; 1 frames failed or are wrong; 2 usage; 3 bad sequence or scene; 4 no OpenGL; 5 output could not "
+    "be written;\n"
     "130/143 interrupted. Results go to stdout, everything else to stderr.\n"
     "Examples:\n"
     "  umbrage render configs/courtyard.yaml --frames 1-48x2 --out /tmp/frames\n"
     "  umbrage render scene.glb --size 640x480 --set shadow.count=z-fail\n"
+    "  umbrage verify configs/stress/*.yaml --techniques all --json stress.json\n"
     "  umbrage inspect scene.glb";
 
-void addRender(CLI::App& app, RenderOptions& o) {
-    app.add_option("input", o.input, "sequence (.yaml) or scene (.gltf, .glb)")->required();
+void addJob(CLI::App& app, JobOptions& o) {
     app.add_option("--frames", o.frames, "frames: 1-48, 1-100x2, 3,7,9-12; all: the whole first animation of a scene");
     app.add_option("--size", o.size, "picture size: WIDTHxHEIGHT");
     app.add_option("--camera", o.camera, "path or name of a camera in the scene");
-    app.add_option("--out", o.out, "folder for the files instead of the sequence's");
     app.add_option("--set", o.set, "override a value: shadow.count=z-fail (repeatable)")->allow_extra_args(false);
-    app.add_option("--device", o.device, "OpenGL device: index or part of its name, see umbrage devices")
+}
+
+/// An option whose value is one of a few names.
+template <class T>
+void addChoice(CLI::App& app, const char* name, T& value, const char* doc, const std::map<std::string, T>& choices) {
+    app.add_option(name, value, doc)
+        ->transform(CLI::Transformer(choices))
+        ->transform(CLI::IsMember(choices))  // comes first, for its message
+        ->option_text(" ");
+}
+
+void addRun(CLI::App& app, std::string& device, ProgressKind& progress, bool& allowExternalFiles) {
+    app.add_option("--device", device, "OpenGL device: index or part of its name, see umbrage devices")
         ->capture_default_str();
+    addChoice(app, "--progress", progress, "auto, bar, lines or none",
+              {{"auto", ProgressKind::Auto},
+               {"bar", ProgressKind::Bar},
+               {"lines", ProgressKind::Lines},
+               {"none", ProgressKind::None}});
+    app.add_flag("--allow-external-files", allowExternalFiles, "let scenes name files outside their folder");
+}
+
+void addRender(CLI::App& app, RenderOptions& o) {
+    app.add_option("input", o.input, "sequence (.yaml) or scene (.gltf, .glb)")->required();
+    addJob(app, o.job);
+    app.add_option("--out", o.out, "folder for the files instead of the sequence's");
     app.add_option("--ocio", o.ocio, "OpenColorIO configuration; wins over the sequence's and $OCIO");
     app.add_option("--workers", o.workers, "threads that write files; 0 chooses")
         ->capture_default_str()
         ->check(CLI::Range(0, 256))
         ->option_text("INT [0]");
-    const std::map<std::string, ProgressKind> kinds{{"auto", ProgressKind::Auto},
-                                                    {"bar", ProgressKind::Bar},
-                                                    {"lines", ProgressKind::Lines},
-                                                    {"none", ProgressKind::None}};
-    app.add_option("--progress", o.progress, "auto, bar, lines or none")
-        ->transform(CLI::Transformer(kinds))
-        ->transform(CLI::IsMember(kinds))  // comes first, for its message
-        ->option_text(" ");
-    app.add_flag("--allow-external-files", o.allowExternalFiles, "let scenes name files outside their folder");
+    addRun(app, o.device, o.progress, o.allowExternalFiles);
     app.add_flag("--dry-run", o.dryRun, "check everything, print the files that would be written, render nothing");
+}
+
+void addVerify(CLI::App& app, VerifyCommandOptions& o) {
+    app.add_option("inputs", o.inputs, "sequences (.yaml) or scenes (.gltf, .glb)")->required();
+    addJob(app, o.job);
+    app.add_option("--techniques", o.techniques,
+                   "all, or silhouette:count,silhouette:count,...; otherwise what the sequence says");
+    app.add_option("--others-every", o.othersEvery, "techniques after the first judge only every n-th frame")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000000))
+        ->option_text("INT [1]");
+    app.add_flag("--counts", o.counts, "judge integer counts, too: takes a second picture of every frame");
+    app.add_option("--max-hard", o.maxHard, "hard errors that pass, summed over techniques that claim exactness")
+        ->capture_default_str()
+        ->check(CLI::NonNegativeNumber)
+        ->option_text("INT [0]");
+    app.add_flag("--per-frame", o.perFrame, "a row for each frame in tables; all frames in JSON, not only wrong ones");
+    app.add_flag("--per-light", o.perLight, "a row for each light in tables");
+    app.add_option("--json", o.json, "file for programs: figures of sequences, techniques and wrong frames");
+    app.add_option("--csv", o.csv, "file for programs: a line for each sequence, frame, technique and light");
+    app.add_option("--markdown", o.markdown, "file for documents: the tables and how they were made");
+    app.add_option("--out", o.out, "folder for pictures of what is wrong: SEQUENCE/TECHNIQUE.FRAME.png")
+        ->capture_default_str();
+    addChoice(app, "--pictures", o.pictures, "which frames get one: all, failed (default) or none",
+              {{"all", Pictures::All}, {"failed", Pictures::Failed}, {"none", Pictures::None}});
+    std::vector<std::string> faults;
+    std::string doc = "plant a mistake, to see it caught";
+    for (const NamedFault& fault : kFaults) {
+        faults.emplace_back(fault.name);
+        doc += fmt::format("; {}: {}", fault.name, fault.doc);
+    }
+    app.add_option("--fault", o.fault, doc)->check(CLI::IsMember(faults))->option_text("NAME");
+    addRun(app, o.device, o.progress, o.allowExternalFiles);
 }
 
 std::vector<std::string> commandsOf(const CLI::App& app) {
@@ -94,6 +145,7 @@ std::string usageMessage(const CLI::App* app, const CLI::Error& error) {
 std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     Options options;
     RenderOptions render;
+    VerifyCommandOptions verify;
     InspectOptions inspect;
     SchemaOptions schema;
     CLI::App app{"umbrage: batch renderer with pixel-exact shadow volumes", "umbrage"};
@@ -105,6 +157,8 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     app.failure_message(usageMessage);
     CLI::App* renderCommand = app.add_subcommand("render", "render a sequence or a scene");
     addRender(*renderCommand, render);
+    CLI::App* verifyCommand = app.add_subcommand("verify", "judge shadows against the exact answer");
+    addVerify(*verifyCommand, verify);
     CLI::App* inspectCommand = app.add_subcommand("inspect", "say what is in a scene");
     inspectCommand->add_option("scene", inspect.scene, "scene (.gltf, .glb)")->required();
     inspectCommand->add_flag("--allow-external-files", inspect.allowExternalFiles,
@@ -119,6 +173,10 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
         return std::nullopt;
     }
     if (*renderCommand) options.render = render;
+    if (*verifyCommand) {
+        verify.commandLine = commandLine(argc, argv);
+        options.verify = verify;
+    }
     if (*inspectCommand) options.inspect = inspect;
     if (*schemaCommand) options.schema = schema;
     options.devices = bool(*devicesCommand);

@@ -2,6 +2,7 @@
 // The command line as plain data. options.cpp alone knows how it is written.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,13 +11,35 @@ namespace umbrage {
 
 enum class ProgressKind { Auto, Bar, Lines, None };
 
+/// What overrides values of a sequence.
+struct JobOptions {
+    std::string frames, size, camera;
+    std::vector<std::string> set;
+};
+
 struct RenderOptions {
     std::string input;  // a sequence (.yaml, .yml) or a scene (.gltf, .glb)
-    std::string frames, size, camera, out, device = "auto", ocio;
-    std::vector<std::string> set;
+    JobOptions job;
+    std::string out, device = "auto", ocio;
     int workers = 0;
     bool dryRun = false, allowExternalFiles = false;
     ProgressKind progress = ProgressKind::Auto;
+};
+
+enum class Pictures { All, Failed, None };
+
+struct VerifyCommandOptions {
+    std::vector<std::string> inputs;  // as RenderOptions::input
+    JobOptions job;
+    std::string techniques;  // silhouette:count,... or all; empty: each sequence's own pair
+    std::string fault;
+    std::string out = "out/verify", json, csv, markdown, device = "auto";
+    int othersEvery = 1;
+    std::uint64_t maxHard = 0;
+    Pictures pictures = Pictures::Failed;
+    bool counts = false, perFrame = false, perLight = false, allowExternalFiles = false;
+    ProgressKind progress = ProgressKind::Auto;
+    std::string commandLine;  // as typed, for reports
 };
 
 struct InspectOptions {
@@ -30,6 +53,7 @@ struct SchemaOptions {
 
 struct Options {
     std::optional<RenderOptions> render;
+    std::optional<VerifyCommandOptions> verify;
     std::optional<InspectOptions> inspect;
     std::optional<SchemaOptions> schema;
     bool devices = false;

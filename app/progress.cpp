@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -37,29 +38,38 @@ void Progress::note(const std::string& text) {
     say("umbrage: {}\n", text);
 }
 
-void Progress::started(std::size_t frameCount) {
+void Progress::error(const std::string& text) {
+    clearBar();
+    say("umbrage: error: {}\n", text);
+}
+
+void Progress::started(std::size_t frameCount, const std::string& title) {
     start_ = std::chrono::steady_clock::now();
-    if (kind_ == ProgressKind::Bar) drawBar(0, frameCount);
+    frameCount_ = frameCount;
+    done_ = 0;
+    title_ = title.empty() ? "" : title + " ";
+    if (kind_ == ProgressKind::Bar) drawBar();
 }
 
-void Progress::frameWritten(int frame, std::size_t done, std::size_t frameCount) {
+void Progress::advanced(const std::string& what) {
+    ++done_;
     if (kind_ == ProgressKind::Bar) {
-        drawBar(done, frameCount);
+        drawBar();
     } else if (kind_ == ProgressKind::Lines) {
-        say("frame {} written ({} of {})\n", frame, done, frameCount);
+        say("{} ({} of {})\n", what, done_, frameCount_);
     }
 }
 
-void Progress::drawBar(std::size_t done, std::size_t frameCount) {
+void Progress::drawBar() {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const auto filled = int(kBarCells * done / std::max<std::size_t>(1, frameCount));
+    const auto filled = int(kBarCells * done_ / std::max<std::size_t>(1, frameCount_));
     std::string rate;
-    if (done > 0) {
-        rate = fmt::format("  {:.2f} s a frame, {} left", seconds / double(done),
-                           clockText(seconds / double(done) * double(frameCount - done)));
+    if (done_ > 0) {
+        rate = fmt::format("  {:.2f} s a frame, {} left", seconds / double(done_),
+                           clockText(seconds / double(done_) * double(frameCount_ - done_)));
     }
-    say("\r\x1b[K[{}{}] {}/{}{}", std::string(std::size_t(filled), '#'),
-        std::string(std::size_t(kBarCells - filled), '.'), done, frameCount, rate);
+    say("\r\x1b[K{}[{}{}] {}/{}{}", title_, std::string(std::size_t(filled), '#'),
+        std::string(std::size_t(kBarCells - filled), '.'), done_, frameCount_, rate);
     std::fflush(stderr);
     barShown_ = true;
 }

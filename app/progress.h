@@ -3,27 +3,33 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <string>
 
-#include "batch/batch.h"
 #include "options.h"
 
 namespace umbrage {
 
-class Progress : public BatchObserver {
+class Progress {
 public:
     Progress(ProgressKind kind, bool quiet);
-    ~Progress() override;
+    ~Progress();
 
-    void note(const std::string& text) override;
-    void started(std::size_t frameCount) override;
-    void frameWritten(int frame, std::size_t done, std::size_t frameCount) override;
+    void note(const std::string& text);
+    void error(const std::string& text);
+    /// @param title  stands in front of the bar
+    void started(std::size_t frameCount, const std::string& title = {});
+    /// @param what  the line's text: what happened to one frame more
+    void advanced(const std::string& what);
 
 private:
-    void drawBar(std::size_t done, std::size_t frameCount);
+    void drawBar();
     void clearBar();
 
     ProgressKind kind_;
     bool quiet_, barShown_ = false;
+    std::string title_;
+    std::size_t done_ = 0, frameCount_ = 0;
     std::chrono::steady_clock::time_point start_;
 };
 

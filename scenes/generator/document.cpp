@@ -12,14 +12,6 @@ namespace {
 constexpr int kByte = 5121, kShort = 5123, kInt = 5125, kFloat = 5126;
 constexpr int kVertices = 34962, kIndices = 34963, kNoTarget = 0;
 
-/// Short decimal numbers: what the JSON holds need not be exact, only the same each time.
-double brief(double value) {
-    return std::round(value * 1e6) / 1e6 + 0.0;
-}
-Json brief(const dvec3& v) {
-    return {brief(v.x), brief(v.y), brief(v.z)};
-}
-
 template <class V>
 std::span<const float> flat(const std::vector<V>& values) {
     return {reinterpret_cast<const float*>(values.data()), values.size() * sizeof(V) / sizeof(float)};
@@ -32,6 +24,15 @@ std::string littleEndian(std::size_t value) {
 }
 
 }  // namespace
+
+// Where the JSON need not be exact, only the same each time, its numbers are short.
+Json Document::number(double value) const {
+    return digits_ == Digits::Exact ? value : std::round(value * 1e6) / 1e6 + 0.0;
+}
+
+Json Document::numbers(const dvec3& v) const {
+    return {number(v.x), number(v.y), number(v.z)};
+}
 
 Json& Document::list(const char* name) {
     Json& array = json_[name];
@@ -74,63 +75,71 @@ int Document::texture(const std::string& name, const Picture& picture) {
 }
 
 int Document::material(const MaterialSpec& spec) {
-    Json pbr{{"metallicFactor", brief(spec.metallic)}, {"roughnessFactor", brief(spec.roughness)}};
-    pbr["baseColorFactor"] = {brief(spec.color.x), brief(spec.color.y), brief(spec.color.z), brief(spec.alpha)};
+    Json pbr{{"metallicFactor", number(spec.metallic)}, {"roughnessFactor", number(spec.roughness)}};
+    pbr["baseColorFactor"] = {number(spec.color.x), number(spec.color.y), number(spec.color.z), number(spec.alpha)};
     if (spec.colorTexture != kNone) pbr["baseColorTexture"] = {{"index", spec.colorTexture}};
     if (spec.roughnessTexture != kNone) pbr["metallicRoughnessTexture"] = {{"index", spec.roughnessTexture}};
     Json material{{"name", spec.name}, {"pbrMetallicRoughness", std::move(pbr)}};
     if (spec.normalTexture != kNone) material["normalTexture"] = {{"index", spec.normalTexture}};
     const double strength = std::max({spec.emissive.x, spec.emissive.y, spec.emissive.z, 1.0});
-    if (spec.emissive != dvec3(0)) material["emissiveFactor"] = brief(spec.emissive / strength);
+    if (spec.emissive != dvec3(0)) material["emissiveFactor"] = numbers(spec.emissive / strength);
     if (strength > 1) {
-        material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = brief(strength);
+        material["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = number(strength);
         Json& used = list("extensionsUsed");
         if (std::find(used.begin(), used.end(), "KHR_materials_emissive_strength") == used.end())
             used.push_back("KHR_materials_emissive_strength");
     }
     if (spec.alpha < 1) material["alphaMode"] = "BLEND";
+    if (spec.alphaCutoff > 0) material["alphaMode"] = "MASK", material["alphaCutoff"] = number(spec.alphaCutoff);
     if (spec.doubleSided) material["doubleSided"] = true;
     return append("materials", std::move(material));
+}
+
+Json Document::primitiveOf(const Part& part) {
+    const Geometry& g = part.geometry;
+    const auto bounded = [&](const std::vector<glm::vec3>& positions) {
+        glm::vec3 low = positions.front(), high = low;
+        for (const glm::vec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
+        const int index = floats(flat(positions), 3);
+        json_["accessors"][index]["min"] = {low.x, low.y, low.z};
+        json_["accessors"][index]["max"] = {high.x, high.y, high.z};
+        return index;
+    };
+    Json attributes{{"POSITION", bounded(g.positions)}};
+    if (!g.normals.empty()) attributes["NORMAL"] = floats(flat(g.normals), 3);
+    if (!g.tangents.empty()) attributes["TANGENT"] = floats(flat(g.tangents), 4);
+    if (!g.texCoords.empty()) attributes["TEXCOORD_0"] = floats(flat(g.texCoords), 2);
+    if (!g.joints.empty()) {
+        attributes["JOINTS_0"] =
+            accessor(g.joints.data(), g.joints.size() * 4, kByte, "VEC4", g.joints.size(), kVertices);
+        attributes["WEIGHTS_0"] = floats(flat(g.weights), 4);
+    }
+    Json primitive{{"attributes", std::move(attributes)}};
+    for (const MorphDelta& target : g.targets)
+        primitive["targets"].push_back(
+            {{"POSITION", bounded(target.positions)}, {"NORMAL", floats(flat(target.normals), 3)}});
+    if (part.indexed && g.positions.size() < 65535) {
+        const std::vector<std::uint16_t> indices(g.indices.begin(), g.indices.end());
+        primitive["indices"] = accessor(indices.data(), indices.size() * 2, kShort, "SCALAR", indices.size(), kIndices);
+    } else if (part.indexed) {
+        primitive["indices"] =
+            accessor(g.indices.data(), g.indices.size() * 4, kInt, "SCALAR", g.indices.size(), kIndices);
+    }
+    if (part.mode != Mode::Triangles) primitive["mode"] = static_cast<int>(part.mode);
+    if (part.material != kNone) primitive["material"] = part.material;
+    return primitive;
 }
 
 int Document::mesh(const std::string& name, const std::vector<Part>& parts, Kind kind) {
     Json primitives = Json::array();
     std::vector<glm::vec3> corners;
-    std::size_t targetCount = 0;
-    for (const auto& [g, material] : parts) {
-        for (const std::uint32_t index : g.indices) corners.push_back(g.positions[index]);
-
-        const auto bounded = [&](const std::vector<glm::vec3>& positions) {
-            glm::vec3 low = positions.front(), high = low;
-            for (const glm::vec3& p : positions) low = glm::min(low, p), high = glm::max(high, p);
-            const int index = floats(flat(positions), 3);
-            json_["accessors"][index]["min"] = {low.x, low.y, low.z};
-            json_["accessors"][index]["max"] = {high.x, high.y, high.z};
-            return index;
-        };
-        Json attributes{{"POSITION", bounded(g.positions)}, {"NORMAL", floats(flat(g.normals), 3)}};
-        if (!g.tangents.empty()) attributes["TANGENT"] = floats(flat(g.tangents), 4);
-        if (!g.texCoords.empty()) attributes["TEXCOORD_0"] = floats(flat(g.texCoords), 2);
-        if (!g.joints.empty()) {
-            attributes["JOINTS_0"] =
-                accessor(g.joints.data(), g.joints.size() * 4, kByte, "VEC4", g.joints.size(), kVertices);
-            attributes["WEIGHTS_0"] = floats(flat(g.weights), 4);
-        }
-        Json primitive{{"attributes", std::move(attributes)}};
-        for (const MorphDelta& target : g.targets)
-            primitive["targets"].push_back(
-                {{"POSITION", bounded(target.positions)}, {"NORMAL", floats(flat(target.normals), 3)}});
-        targetCount = g.targets.size();
-        if (g.positions.size() < 65535) {
-            const std::vector<std::uint16_t> indices(g.indices.begin(), g.indices.end());
-            primitive["indices"] =
-                accessor(indices.data(), indices.size() * 2, kShort, "SCALAR", indices.size(), kIndices);
-        } else {
-            primitive["indices"] =
-                accessor(g.indices.data(), g.indices.size() * 4, kInt, "SCALAR", g.indices.size(), kIndices);
-        }
-        if (material != kNone) primitive["material"] = material;
-        primitives.push_back(std::move(primitive));
+    for (const Part& part : parts) {
+        const Geometry& g = part.geometry;
+        if (part.mode == Mode::Triangles && part.indexed)
+            for (const std::uint32_t index : g.indices) corners.push_back(g.positions[index]);
+        if (part.mode == Mode::Triangles && !part.indexed)
+            corners.insert(corners.end(), g.positions.begin(), g.positions.end());
+        primitives.push_back(primitiveOf(part));
     }
     meshes_.push_back({kind, topologyOf(corners)});
     const Topology& t = meshes_.back().topology;
@@ -140,7 +149,8 @@ int Document::mesh(const std::string& name, const std::vector<Part>& parts, Kind
                         "{} pieces inside out",
                         name, t.openEdges, t.nonManifoldEdges, t.degenerate, t.inwardPieces));
     Json mesh{{"name", name}, {"primitives", std::move(primitives)}};
-    if (targetCount > 0) mesh["weights"] = std::vector<double>(targetCount, 0.0);
+    if (const std::size_t targetCount = parts.back().geometry.targets.size(); targetCount > 0)
+        mesh["weights"] = std::vector<double>(targetCount, 0.0);
     return append("meshes", std::move(mesh));
 }
 
@@ -153,11 +163,11 @@ int Document::recoloured(const std::string& name, int mesh, std::span<const int>
 }
 
 int Document::light(const LightSpec& spec) {
-    Json light{{"name", spec.name}, {"type", spec.type}, {"color", brief(spec.color)}, {"intensity", spec.intensity}};
+    Json light{{"name", spec.name}, {"type", spec.type}, {"color", numbers(spec.color)}, {"intensity", spec.intensity}};
     if (spec.rangeMetres > 0) light["range"] = spec.rangeMetres;
     if (spec.type == "spot")
-        light["spot"] = {{"innerConeAngle", brief(spec.innerConeDegrees * kPi / 180)},
-                         {"outerConeAngle", brief(spec.outerConeDegrees * kPi / 180)}};
+        light["spot"] = {{"innerConeAngle", number(spec.innerConeDegrees * kPi / 180)},
+                         {"outerConeAngle", number(spec.outerConeDegrees * kPi / 180)}};
     Json& lights = json_["extensions"]["KHR_lights_punctual"]["lights"];
     if (lights.is_null()) list("extensionsUsed").push_back("KHR_lights_punctual");
     lights.push_back(std::move(light));
@@ -169,16 +179,25 @@ int Document::camera(const std::string& name, double yfovDegrees, double znear) 
                   {{"name", name},
                    {"type", "perspective"},
                    {"perspective",
-                    {{"yfov", brief(yfovDegrees * kPi / 180)}, {"znear", znear}, {"aspectRatio", brief(4.0 / 3)}}}});
+                    {{"yfov", number(yfovDegrees * kPi / 180)}, {"znear", znear}, {"aspectRatio", number(4.0 / 3)}}}});
+}
+
+int Document::orthographicCamera(const std::string& name, const dvec2& halfExtents, double znear, double zfar) {
+    return append("cameras", {{"name", name},
+                              {"type", "orthographic"},
+                              {"orthographic",
+                               {{"xmag", halfExtents.x}, {"ymag", halfExtents.y}, {"znear", znear}, {"zfar", zfar}}}});
 }
 
 int Document::node(const NodeSpec& spec) {
     Json node{{"name", spec.name}};
-    if (spec.translation != dvec3(0)) node["translation"] = brief(spec.translation);
+    if (spec.matrix)
+        for (int i = 0; i < 16; ++i) node["matrix"].push_back((*spec.matrix)[i / 4][i % 4]);
+    if (spec.translation != dvec3(0)) node["translation"] = numbers(spec.translation);
     if (spec.rotation != dquat(1, 0, 0, 0))
-        node["rotation"] = {brief(spec.rotation.x), brief(spec.rotation.y), brief(spec.rotation.z),
-                            brief(spec.rotation.w)};
-    if (spec.scale != dvec3(1)) node["scale"] = brief(spec.scale);
+        node["rotation"] = {number(spec.rotation.x), number(spec.rotation.y), number(spec.rotation.z),
+                            number(spec.rotation.w)};
+    if (spec.scale != dvec3(1)) node["scale"] = numbers(spec.scale);
     if (spec.mesh != kNone) node["mesh"] = spec.mesh;
     if (spec.skin != kNone) node["skin"] = spec.skin;
     if (spec.camera != kNone) node["camera"] = spec.camera;

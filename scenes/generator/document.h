@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,9 +24,14 @@ inline constexpr int kNone = -1;
 /// Closed meshes are checked; receivers (ground, room) are left out of the counts that scenes promise.
 enum class Kind { Closed, Open, Receiver };
 
+/// How a primitive's vertices make triangles; the numbers are glTF's.
+enum class Mode { Points = 0, Lines = 1, Triangles = 4, Strip = 5, Fan = 6 };
+
 struct Part {
-    Geometry geometry;
+    Geometry geometry;  // without normals: none are written, and viewers shade flat
     int material = kNone;
+    Mode mode = Mode::Triangles;
+    bool indexed = true;  // false: the positions in order, and no indices are written
 };
 
 struct NodeSpec {
@@ -35,6 +41,7 @@ struct NodeSpec {
     dquat rotation{1, 0, 0, 0};
     dvec3 scale{1};
     int mesh = kNone, skin = kNone, camera = kNone, light = kNone;
+    std::optional<dmat4> matrix{};  // in place of translation, rotation and scale
 };
 
 struct LightSpec {
@@ -51,13 +58,19 @@ struct MaterialSpec {
     dvec3 color{0.8};
     double roughness = 0.8, metallic = 0;
     dvec3 emissive{0};
-    double alpha = 1;  // below 1: BLEND
+    double alpha = 1;        // below 1: BLEND
+    double alphaCutoff = 0;  // above 0: MASK
     bool doubleSided = false;
     int colorTexture = kNone, normalTexture = kNone, roughnessTexture = kNone;
 };
 
+/// Digits of the numbers in the JSON part: six decimals, or as many as give the same number back.
+enum class Digits { Brief, Exact };
+
 class Document {
 public:
+    explicit Document(Digits digits = Digits::Brief) : digits_(digits) {}
+
     int texture(const std::string& name, const Picture& picture);
     int material(const MaterialSpec& spec);
     int mesh(const std::string& name, const std::vector<Part>& parts, Kind kind = Kind::Closed);
@@ -65,6 +78,7 @@ public:
     int recoloured(const std::string& name, int mesh, std::span<const int> materials);
     int light(const LightSpec& spec);
     int camera(const std::string& name, double yfovDegrees, double znear);
+    int orthographicCamera(const std::string& name, const dvec2& halfExtents, double znear, double zfar);
     int node(const NodeSpec& spec);
     /// Joints in their bind pose stand unrotated at `positions` in the space of the mesh.
     int skin(const std::string& name, const std::vector<int>& joints, const std::vector<dvec3>& positions);
@@ -100,9 +114,13 @@ private:
     int times(const std::vector<double>& values);
     void channel(int node, const char* path, const std::vector<double>& times, std::span<const float> values, int width,
                  const char* interpolation);
+    Json number(double value) const;
+    Json numbers(const dvec3& value) const;
+    Json primitiveOf(const Part& part);
     Json& list(const char* name);
     int append(const char* list, Json value);
 
+    Digits digits_;
     Json json_ = {{"asset", {{"version", "2.0"}, {"generator", "umbrage generate_scenes"}}}};
     std::string binary_;
     std::vector<MeshRecord> meshes_;

@@ -31,14 +31,20 @@ int paeth(int left, int up, int corner) {
 }  // namespace
 
 std::string pngOf(const Picture& picture) {
-    const std::size_t stride = static_cast<std::size_t>(picture.size) * 3;
+    const std::size_t channels = picture.alpha.empty() ? 3 : 4;
+    std::vector<std::uint8_t> pixels;
+    for (std::size_t i = 0; i < picture.rgb.size(); ++i) {
+        pixels.push_back(picture.rgb[i]);
+        if (channels == 4 && i % 3 == 2) pixels.push_back(picture.alpha[i / 3]);
+    }
+    const std::size_t stride = static_cast<std::size_t>(picture.size) * channels;
     std::string rows;
     for (int y = 0; y < picture.size; ++y) {
         rows += '\4';  // the Paeth filter: best for these noisy pictures
-        const std::uint8_t* row = &picture.rgb[y * stride];
+        const std::uint8_t* row = &pixels[y * stride];
         for (std::size_t x = 0; x < stride; ++x) {
-            const int left = x >= 3 ? row[x - 3] : 0, up = y > 0 ? row[x - stride] : 0;
-            const int corner = x >= 3 && y > 0 ? row[x - stride - 3] : 0;
+            const int left = x >= channels ? row[x - channels] : 0, up = y > 0 ? row[x - stride] : 0;
+            const int corner = x >= channels && y > 0 ? row[x - stride - channels] : 0;
             rows += static_cast<char>(row[x] - paeth(left, up, corner));
         }
     }
@@ -50,7 +56,8 @@ std::string pngOf(const Picture& picture) {
     packed.resize(length);
 
     const std::string size = bigEndian(static_cast<std::uint32_t>(picture.size));
-    const std::string header = size + size + std::string("\x08\x02\x00\x00\x00", 5);  // 8 bits, RGB, not interlaced
+    std::string header = size + size + std::string("\x08\x02\x00\x00\x00", 5);  // 8 bits, RGB, not interlaced
+    if (channels == 4) header[9] = '\6';                                        // RGBA
     return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", packed) + chunk("IEND", "");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// 8-bit RGB pictures into PNG files in memory.
+// 8-bit pictures into PNG files in memory.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 namespace generator {
 
 struct Picture {
-    int size = 0;                     // square
-    std::vector<std::uint8_t> rgb{};  // rows from the top
+    int size = 0;                       // square
+    std::vector<std::uint8_t> rgb{};    // rows from the top
+    std::vector<std::uint8_t> alpha{};  // one a pixel; empty: opaque
 };
 
 std::string pngOf(const Picture& picture);

@@ -100,7 +100,8 @@ TEST(Shadow, WideCountsOfOneSampleAreNotAveraged) {
     Statistics statistics;
     const FramePixels pixels = FrameRenderer(test.scene, moment, settings, context())
                                    .render(moment, test.placedCamera(), outputs, 1, statistics);
-    const auto& [id, shadow, counts] = pixels.lights[0];
+    const std::vector<float>& shadow = pixels.lights[0].shadow;
+    const std::vector<std::uint32_t>& counts = pixels.lights[0].counts;
     EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), 300u);
     bool partly = false;  // masks are shares of samples, counts are whole
     for (std::size_t i = 0; i < shadow.size(); ++i) {

@@ -29,7 +29,7 @@ struct Picture {
 
 Picture draw(int width, int height, const std::vector<float>& counts, const OverlayStyle& style,
              const std::vector<std::uint8_t>& beauty = {}) {
-    return {width, height, drawOverlay(width, height, counts, beauty, style)};
+    return {width, height, drawOverlay(width, height, counts, beauty, style).rgb};
 }
 
 /// The colour of one count, from a picture too small for a legend.

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace umbrage {
+
+/// The command as one would type it, for documents that say how they are made: quoted where a shell wants it, and
+/// "configs/*.yaml" again where the shell has put all the sequences of a folder in its place.
+std::string commandLine(int argc, const char* const* argv);
+
+}  // namespace umbrage
