@@ -34,6 +34,18 @@ std::vector<std::size_t> lightsThatShine(const Moment& moment) {
     return shining;
 }
 
+/// A thousandth of the light's distance from the eye, or of its direction.
+ShadowLight aside(const ShadowLight& light, const Eye& eye) {
+    const double distance = light.w != 0.0 ? glm::distance(glm::dvec3(light), eye.position()) : 1.0;
+    return {1e-3 * distance, 0.0, 0.0, 0.0};
+}
+
+/// Counts of groups of casters add up.
+void addCounts(const std::vector<std::uint32_t>& counts, bool wide, LightPlanes& planes) {
+    for (std::size_t i = 0; i < counts.size(); ++i) planes.counts[i] += counts[i];
+    planes.countsAreWide = planes.countsAreWide || wide;
+}
+
 int checkedSamples(int samples, const gpu::Context& context) {
     if (samples <= context.maxSamples()) return samples;
     throw Error(ErrorKind::Input, "image.samples",
@@ -67,12 +79,12 @@ struct FrameRenderer::Impl {
         : scene(s),
           settings(wanted),
           profiler(wanted.profile, context.info().software),
-          geometry(s, first),
+          geometry(s, first, wanted.fault == Fault::WorldFloats),
           materials(s),
           surfaces(s, geometry),
           gbuffer(wanted.width, wanted.height, checkedSamples(wanted.samples, context)),
           resolve(gbuffer),
-          technique(makeSilhouetteTechnique(wanted.silhouette)) {}
+          technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)) {}
 
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
@@ -103,6 +115,7 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
     for (const PlacedLight* light : lights) {
         data.push_back(lightData(*light, eye));
         shadowLights.push_back(shadowLight(*light));
+        if (settings.fault == Fault::ShiftedLight) shadowLights.back() += aside(shadowLights.back(), eye);
     }
     lightBuffer.reserve("lights", data.size() * sizeof(gpu::LightData));
     lightBuffer.write(std::span<const gpu::LightData>(data));
@@ -123,7 +136,8 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
                              silhouettes.hostCasters.data());
     CountSettings counts;
-    counts.eyeConstant = settings.eyeConstant;
+    counts.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
+    counts.halve = halve;
     counts.perspective = eye.perspective;
     const std::vector<Geometry::Bounds> modelBounds = geometry.modelBounds();
     boxes = worldBounds(geometry, modelBounds);
@@ -132,7 +146,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         if (nearer[i]) silhouettes.hostCasters[i].missing = 1;
-        whole[i] = !halve || counts.holed[i] || silhouettes.hostCasters[i].missing != 0;
+        whole[i] = counts.holed[i] || silhouettes.hostCasters[i].missing != 0;
     }
     geometry.setWhole(whole);
     return counts;
@@ -167,20 +181,19 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
         markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
-        findSilhouettes(*technique, geometry, group, byFail, outputs.figures, silhouettes);
+        findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures}, silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
             const std::vector<CountPlan> plans =
                 planCounts(silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings);
-            masks->count(plans, volumes, geometry, silhouettes, group, l);
-            profiler.pass(gpu::Profiler::kNoPass);
             LightPlanes& planes = planesOf(lights[first + l]);
-            if (outputs.counts && !plans.empty()) {
-                planes.counts = masks->readCounts(plans.back());
-                planes.countsAreWide = plans.back().wide;
+            for (const CountPlan& plan : plans) {
+                masks->count(plan, volumes, geometry, silhouettes, group, l);
+                if (outputs.counts) addCounts(masks->readCounts(plan), plan.wide, planes);
             }
+            profiler.pass(gpu::Profiler::kNoPass);
             VolumeTotals totals;
             if (outputs.overdraw) {
                 totals = overdraw->add(plans, volumes, geometry, silhouettes, group, l);

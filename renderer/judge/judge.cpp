@@ -54,9 +54,11 @@ struct Judge::Impl {
     std::vector<std::vector<std::uint8_t>> facing, reaches;  // per light and sample
     double farthest = 0.0, milliseconds = 0.0;
 
-    // Masks of the frame before, for toggles.
-    std::map<std::string, std::vector<std::vector<std::uint8_t>>> masksBefore;  // per technique
-    std::vector<std::vector<std::uint8_t>> exactBefore;
+    /// The frame that a technique was judged at before, for toggles: per light and sample.
+    struct Before {
+        std::vector<std::vector<std::uint8_t>> masks, exact;
+    };
+    std::map<std::string, Before> before;  // per technique
 
     Impl(const Scene& s, int w, int h, const Tolerance& t, int threadCount)
         : scene(s),
@@ -114,6 +116,7 @@ LightVerdict Judge::Impl::judgeLight(std::size_t l, const LightPlanes& planes, c
                                      std::vector<SampleVerdict>& verdicts) const {
     LightVerdict verdict;
     verdict.light = lightIds[l];
+    verdict.samplesPerPixel = int(positions.size());
     std::vector<SampleVerdict> perSample(seen.size(), SampleVerdict::Right);
     forRows(int(seen.size() / std::size_t(width)), threads, [&](int row) {
         for (std::size_t i = std::size_t(row) * std::size_t(width); i < std::size_t(row + 1) * std::size_t(width);
@@ -212,7 +215,6 @@ Judge::~Judge() = default;
 void Judge::setFrame(const Moment& moment, const PlacedCamera& camera, const FrameRenderer& renderer,
                      const FramePixels& pixels) {
     Impl& j = *impl_;
-    j.exactBefore = std::move(j.reaches);
     j.truth.update(moment, renderer.geometry());
     j.rays.emplace(camera, j.width, j.height);
     j.positions = pixels.seen.positions;
@@ -248,7 +250,7 @@ FrameVerdict Judge::judge(const FramePixels& pixels, const std::string& techniqu
     planes.verdicts.assign(j.lights.size(), std::vector<SampleVerdict>(j.pixelCount(), SampleVerdict::Right));
     planes.exact.assign(j.lights.size(), std::vector<std::uint8_t>(j.pixelCount(), 1));
     std::vector<std::vector<std::uint8_t>> masks;
-    const std::vector<std::vector<std::uint8_t>>& before = j.masksBefore[technique];
+    Impl::Before& before = j.before[technique];
     for (std::size_t l = 0; l < j.lights.size(); ++l) {
         LightVerdict light = j.judgeLight(l, pixels.lights[l], explainer, planes.verdicts[l]);
         if (!pixels.lights[l].counts.empty()) j.judgeCounts(l, pixels.lights[l], explainer, light);
@@ -257,14 +259,14 @@ FrameVerdict Judge::judge(const FramePixels& pixels, const std::string& techniqu
             if (!j.reaches[l][i]) planes.exact[l][i % j.pixelCount()] = 0;
         }
         masks.push_back(pixels.lights[l].reaches);
-        if (l < before.size() && l < j.exactBefore.size() && before[l].size() == masks[l].size()) {
+        if (l < before.masks.size() && before.masks[l].size() == masks[l].size()) {
             for (std::size_t i = 0; i < masks[l].size(); ++i) {
-                light.excessToggles += masks[l][i] != before[l][i] && j.reaches[l][i] == j.exactBefore[l][i];
+                light.excessToggles += masks[l][i] != before.masks[l][i] && j.reaches[l][i] == before.exact[l][i];
             }
         }
         verdict.lights.push_back(std::move(light));
     }
-    j.masksBefore[technique] = std::move(masks);
+    before = {std::move(masks), j.reaches};
     verdict.oracleMilliseconds = j.milliseconds;
     return verdict;
 }
@@ -278,9 +280,14 @@ RadianceError compareRadiance(const std::vector<float>& radiance, const std::vec
     display.apply(shownExact);
     const auto code = [](float v) { return int(std::lround(255.0f * v)); };
     for (std::size_t i = 0; i < radiance.size(); ++i) {
-        if (i % 4 == 3) continue;
-        const double difference = std::abs(double(radiance[i]) - double(exact[i]));
-        const int codes = std::abs(code(shown[i]) - code(shownExact[i]));
+        if (i % 4 == 3 || radiance[i] == exact[i]) continue;
+        double difference = std::abs(double(radiance[i]) - double(exact[i]));
+        int codes = 255;
+        if (std::isfinite(difference)) {
+            codes = std::abs(code(shown[i]) - code(shownExact[i]));
+        } else {
+            difference = HUGE_VAL;  // also where one is no number, which no comparison would find
+        }
         error.largest = std::max(error.largest, difference);
         error.largestCode = std::max(error.largestCode, codes);
         squares += difference * difference;

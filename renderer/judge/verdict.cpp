@@ -5,7 +5,7 @@ namespace umbrage {
 
 double LightVerdict::signedBias() const {
     const double difference = double(hardFalseDark + bandFalseDark) - double(hardFalseLit + bandFalseLit);
-    return boundaryLength > 0.0 ? difference / boundaryLength : 0.0;
+    return boundaryLength > 0.0 ? difference / samplesPerPixel / boundaryLength : 0.0;
 }
 
 std::uint64_t FrameVerdict::hard() const {

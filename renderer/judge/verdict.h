@@ -25,6 +25,7 @@ inline bool isHard(SampleVerdict v) {
 /// One light's mask.
 struct LightVerdict {
     std::string light;            // its id
+    int samplesPerPixel = 1;
     std::uint64_t litFacing = 0;  // samples of surfaces that are turned to the light
     std::uint64_t exactDark = 0;  // of these in shadow
     std::uint64_t hardFalseDark = 0, hardFalseLit = 0;
@@ -40,7 +41,7 @@ struct LightVerdict {
 
     std::uint64_t hard() const { return hardFalseDark + hardFalseLit; }
     std::uint64_t band() const { return primary + grazing + boundary; }
-    /// (false dark - false lit) / outline: how far the outline is moved outward on average, pixels.
+    /// (false dark - false lit) pixels / outline: how far the outline is moved outward on average, pixels.
     double signedBias() const;
     /// band() per lit-facing sample.
     double bandRate() const { return litFacing ? double(band()) / double(litFacing) : 0.0; }

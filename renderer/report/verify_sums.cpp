@@ -30,6 +30,7 @@ void addTo(LightVerdict& sum, const LightVerdict& light) {
           &LightVerdict::countErrors, &LightVerdict::hardCountErrors, &LightVerdict::excessToggles}) {
         sum.*figure += light.*figure;
     }
+    sum.samplesPerPixel = light.samplesPerPixel;
     sum.boundaryLength += light.boundaryLength;
     sum.largestComponent = std::max(sum.largestComponent, light.largestComponent);
     sum.largestExtent = std::max(sum.largestExtent, light.largestExtent);

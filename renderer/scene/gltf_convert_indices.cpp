@@ -27,7 +27,8 @@ Indices readIndices(const GltfConversion& conversion, const tinygltf::Primitive&
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (indices[i] >= vertexCount) {
             failAt(conversion.file, place,
-                   fmt::format("index {} is {}, but there are {} vertices", i, indices[i], vertexCount));
+                   fmt::format("index {} of accessor {} is {}, but there are {} vertices", i, primitive.indices,
+                               indices[i], vertexCount));
         }
         if (indices[i] == restart) {
             failAt(conversion.file, place,

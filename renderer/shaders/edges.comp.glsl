@@ -18,6 +18,7 @@ layout(std430, binding = BIND_QUADS) writeonly buffer Quads { uint quads[]; };
 layout(location = 0) uniform uint chunkCount;
 layout(location = 1) uniform uint facingBase;
 layout(location = 6) uniform uint capacity;
+layout(location = 7) uniform uint halve;
 
 /// T4: the point that the count starts from (the eye, or for an orthographic eye an end of the view rays, w = 0) so
 /// close to the plane of the side quad, and within its wedge, that the rasteriser and the eye constant may disagree
@@ -53,6 +54,30 @@ bool seenEdgeOn(vec4 eye, vec4 light, vec3 a, vec3 b) {
     return abs(dot(n, e)) < EDGE_ON_SINE * length(n) * length(e);
 }
 
+#if FAULT == FAULT_FACING_TWICE
+/// What geometry shaders do: the facing of a triangle from the edge's vertices and the one opposite, in that order, so
+/// that its three edges round differently.
+uvec2 facedAgain(uint instance, uint triangle, uint a, uint b) {
+    uvec3 v = triangleVertices(instance, triangle) - instances[instance].vertexBase;
+    uint base = instances[instance].vertexBase;
+    vec3 from = positionOf(base + a), to = positionOf(base + b);
+    vec3 opposite = vec3(0.0);
+    for (uint k = 0u; k < 3u; ++k) {
+        vec3 here = positionOf(base + v[k]);
+        if (here != from && here != to) opposite = here;
+    }
+    vec3 n = cross(to - from, opposite - from);
+    uvec2 bits = uvec2(0u);
+    for (uint l = 0u; l < lightCount; ++l) {
+        vec4 light = lightInModel(instance, l);
+        float side = dot(n, light.xyz - light.w * from);
+        if (side > 0.0) bits.x |= 1u << l;
+        if (side < 0.0) bits.y |= 1u << l;
+    }
+    return bits;  // of (from, to, opposite): light in front means traversed from a to b
+}
+#endif
+
 void append(uint list, uint l, uint entry, uint times) {
     uint slot = atomicAdd(summaries[l].lists[list].count, 6u * times) / 6u;
     for (uint i = 0u; i < times; ++i) {
@@ -67,6 +92,9 @@ void main() {
     uint placed = chunk * CHUNK_SIZE + gl_LocalInvocationID.x;
     uint index = placed - instances[instance].placedEdgeBase;
     if (index >= instances[instance].edgeCount) return;
+#if FAULT == FAULT_MISSING_EDGE
+    if (index % 64u == 7u) return;
+#endif
     Edge edge = edges[instances[instance].edgeBase + index];
 
     // Light-oriented traversals of the edge from a to b (x) and from b to a (y), per light.
@@ -78,6 +106,10 @@ void main() {
         right = facing[base + (edge.right & EDGE_TRIANGLE)];
         if ((edge.right & EDGE_REVERSED) != 0u) right = right.yx;
     }
+#if FAULT == FAULT_FACING_TWICE
+    left = facedAgain(instance, edge.left & EDGE_TRIANGLE, edge.a, edge.b);
+    if (edge.right != EDGE_NONE) right = facedAgain(instance, edge.right & EDGE_TRIANGLE, edge.b, edge.a).yx;
+#endif
     uvec2 twice = left & right;
     uvec2 once = (left ^ right) & ~(left | right).yx;
     uint silhouette = twice.x | twice.y | once.x | once.y;
@@ -92,7 +124,7 @@ void main() {
         bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
         bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
         append(list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
-               isTwice && list != LIST_HALVED ? 2u : 1u);
+               isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
         if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
         if (list != LIST_FAIL || eye.w == 0.0) {
             if (hazardous(list == LIST_FAIL ? -eye : eye, light, a, b)) atomicOr(casters[instance].hazards, 1u << l);

@@ -166,6 +166,9 @@ void main() {
         if (countLit != 0u && side > 0.0) atomicAdd(summaries[l].litTriangles, 1u);
         countEye(instance, l, flags, a, b, c, normal, light, side);
     }
+#if FAULT == FAULT_WRONG_FACING
+    if (triangle % 64u == 7u) bits = bits.yx;
+#endif
     facing[facingBase + placed] = bits;
 
     vec3 n = vec3(dot(instances[instance].normalFromModel[0].xyz, normal),

@@ -97,6 +97,14 @@ struct Edge {
     uint a, b, left, right;
 };
 
+// shadow/fault.h
+#ifndef FAULT
+#define FAULT 0
+#endif
+#define FAULT_FACING_TWICE 2
+#define FAULT_WRONG_FACING 4
+#define FAULT_MISSING_EDGE 5
+
 // The lists of side quads a light has.
 #define LIST_HALVED 0  // even components: one quad for two crossings, counted by z-pass
 #define LIST_WHOLE 1   // all others, |m| quads an edge, counted by z-pass

@@ -67,9 +67,10 @@ std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGro
 
     CountPlan halved;
     if (!parallelToView) addSides(halved, LIST_HALVED, Rule::Pass, summary);
-    halved.litValue = -eyeInside(LIST_HALVED) / 2;
-    halved.wide = layerBound > 511;  // half of it is counted
-    halved.allDark = eyeInside(LIST_HALVED) % 2 != 0;
+    const int crossings = settings.halve ? 2 : 1;  // for a quad
+    halved.litValue = -eyeInside(LIST_HALVED) / crossings;
+    halved.wide = layerBound > (settings.halve ? 511 : 255);
+    halved.allDark = settings.halve && eyeInside(LIST_HALVED) % 2 != 0;
     if (!halved.parts.empty() || eyeInside(LIST_HALVED) != 0) plans.push_back(std::move(halved));
 
     const auto notInDepthBuffer = [&](std::uint32_t i) {

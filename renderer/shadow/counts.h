@@ -24,8 +24,8 @@ namespace umbrage {
 struct VolumePart {
     enum class Kind { Sides, Cap };
     enum class Rule {
-        Pass,    // +1 front, -1 back where nearer than what is seen
-        Fail,    // -1 front, +1 back where not nearer
+        Pass,  // +1 front, -1 back where nearer than what is seen
+        Fail,  // -1 front, +1 back where not nearer
     };
     Kind kind = Kind::Sides;
     Rule rule = Rule::Pass;
@@ -44,8 +44,9 @@ struct CountPlan {
 /// What plans depend on beside the silhouettes.
 struct CountSettings {
     bool eyeConstant = true;  // off: textbook z-pass, wrong with the eye in a volume
+    bool halve = true;        // as in SweepOptions
     bool perspective = true;
-    std::vector<bool> holed;   // per instance: has alpha-masked triangles
+    std::vector<bool> holed;  // per instance: has alpha-masked triangles
 };
 
 /// The halved and the whole count of light `l` of the group, as far as there is something to count.

@@ -17,8 +17,8 @@ struct Eye {
     double znear = 0.1, zfar = 0.0;  // zfar 0: infinite
     glm::dvec2 rayScale{1.0};        // half extent of the image at distance 1 (perspective) or in metres
 
-    /// What the depth buffer is cleared to: nothing is seen beyond zfar, and nothing is clipped there either, so that what
-    /// casts from beyond is whole (T12).
+    /// What the depth buffer is cleared to: nothing is seen beyond zfar, and nothing is clipped there either, so that
+    /// what casts from beyond is whole (T12).
     float emptyDepth() const { return perspective && zfar > 0.0 ? float(znear / zfar) : 0.0f; }
 
     glm::dvec3 position() const { return glm::dvec3(worldFromView[3]); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes that can be planted into the shadow path: those that textbooks and engines make, and some of our own, to show
-// that the judge catches them. `umbrage verify --fault NAME`; never set otherwise.
+// Mistakes that can be planted into the shadow path: those that textbooks and engines make, and some of our own, to
+// show that the judge catches them. `umbrage verify --fault NAME`; never set otherwise.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ struct NamedFault {
 };
 
 inline constexpr std::array kFaults = {
-    NamedFault{Fault::NoEyeConstant, "no-eye-constant", "textbook z-pass: nothing is added where the eye is in a volume"},
+    NamedFault{Fault::NoEyeConstant, "no-eye-constant",
+               "textbook z-pass: nothing is added where the eye is in a volume"},
     NamedFault{Fault::FacingTwice, "facing-twice", "every edge decides anew which way its triangles face"},
     NamedFault{Fault::WorldFloats, "world-floats", "positions in the world, in float, not relative to the eye"},
     NamedFault{Fault::WrongFacing, "wrong-facing", "one triangle in 64 faces the wrong way"},

@@ -64,7 +64,8 @@ glm::dmat3 normalMatrix(const glm::dmat3& m) {
 
 }  // namespace
 
-Geometry::Geometry(const Scene& scene, const Moment& first) : deformProgram_("deform.comp") {
+Geometry::Geometry(const Scene& scene, const Moment& first, bool worldFloats)
+    : worldFloats_(worldFloats), deformProgram_("deform.comp") {
     topologies_.reserve(scene.meshes.size());
     displaced_.resize(scene.meshes.size());
     for (const Instance& placed : first.instances) {
@@ -135,8 +136,8 @@ Geometry::Geometry(const Scene& scene, const Moment& first) : deformProgram_("de
         edgeChunkCount_ += roundUpToChunks(range.edgeCount);
         triangleChunks_.resize(triangleChunkCount_, i);
         edgeChunks_.resize(edgeChunkCount_, i);
-        const bool baked =
-            placed.skinned() || scaleMoves[std::size_t(placed.node)] || !invertible(placed.worldFromModel);
+        const bool baked = worldFloats || placed.skinned() || scaleMoves[std::size_t(placed.node)] ||
+                           !invertible(placed.worldFromModel);
         if (baked || !mesh.morphTargets.empty() || placed.displacement != kNone) {
             Deforming own;
             own.instance = i;
@@ -211,7 +212,9 @@ void Geometry::deform(const Scene& scene, const Moment& moment, const Eye& eye) 
     if (deforming_.empty()) return;
     // T7: snapped to a grid as coarse as the eye is far from the world's origin is fine; 64 m keeps walks in a cell.
     const glm::dvec3 cell = glm::floor(eye.position() / 64.0 + 0.5) * 64.0;
-    if (!originKnown_ || glm::any(glm::greaterThan(glm::abs(eye.position() - origin_), glm::dvec3(48.0)))) {
+    if (worldFloats_) {
+        origin_ = glm::dvec3(0.0);
+    } else if (!originKnown_ || glm::any(glm::greaterThan(glm::abs(eye.position() - origin_), glm::dvec3(48.0)))) {
         origin_ = cell;
         originKnown_ = true;
     }

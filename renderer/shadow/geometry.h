@@ -21,7 +21,8 @@ namespace umbrage {
 class Geometry {
 public:
     /// @param first  the scene at any time; later moments have the same instances in the same order
-    Geometry(const Scene& scene, const Moment& first);
+    /// @param worldFloats  Fault::WorldFloats
+    Geometry(const Scene& scene, const Moment& first, bool worldFloats = false);
 
     /// Deforms what deforms and uploads the instances' matrices for this eye.
     void update(const Scene& scene, const Moment& moment, const Eye& eye);
@@ -97,7 +98,7 @@ private:
     std::vector<gpu::Edge> edges_;
     std::uint32_t vertexCount_ = 0, triangleChunkCount_ = 0, edgeChunkCount_ = 0;
     glm::dvec3 origin_{0.0};  // of baked positions: snapped, so that it seldom moves (T7)
-    bool originKnown_ = false;
+    bool originKnown_ = false, worldFloats_ = false;
 
     gpu::Buffer positions_, normals_, tangents_, texCoords_[kTexCoordSetCount], colors_;
     gpu::Buffer influences_, jointMatrices_, morphs_, morphWeights_, bounds_;

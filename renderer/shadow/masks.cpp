@@ -34,14 +34,12 @@ void Masks::clear() {
     }
 }
 
-void Masks::count(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
+void Masks::count(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
                   const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
-    for (const CountPlan& plan : plans) {
-        if (plan.wide && !plan.allDark) {
-            countByBlending(plan, renderer, geometry, silhouettes, group, l);
-        } else {
-            countByStencil(plan, renderer, geometry, silhouettes, group, l);
-        }
+    if (plan.wide && !plan.allDark) {
+        countByBlending(plan, renderer, geometry, silhouettes, group, l);
+    } else {
+        countByStencil(plan, renderer, geometry, silhouettes, group, l);
     }
 }
 

@@ -12,8 +12,8 @@ public:
     /// @param depthStencil  D32F_S8, holds the depth of what is seen
     Masks(const gpu::Texture& depthStencil, std::uint32_t lightCount);
 
-    /// Counts light `l` of the group by its plans and sets its bits.
-    void count(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
+    /// Counts light `l` of the group by a plan and sets its bits.
+    void count(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
                const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
     /// Layer g: bits of lights 32 g to 32 g + 31.
@@ -24,7 +24,7 @@ public:
     void set(std::uint32_t group, std::span<const std::uint32_t> bits);
 
     /// What the last count() counted, rows from the top; one sample of each pixel. Waits.
-    /// @param plan  the last of those given to count()
+    /// @param plan  what was given to count()
     /// @return layers over each sample: exact when counted wide, else modulo 256
     std::vector<std::uint32_t> readCounts(const CountPlan& plan) const;
 

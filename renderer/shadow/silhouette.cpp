@@ -65,7 +65,7 @@ void clearSummaries(const Silhouettes& out, std::uint32_t lightCount, std::vecto
 }  // namespace
 
 void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, const LightGroup& group,
-                     std::uint32_t countedByFail, bool figures, Silhouettes& out) {
+                     std::uint32_t countedByFail, const SweepOptions& options, Silhouettes& out) {
     for (gpu::CasterState& caster : out.hostCasters) {
         caster.countedByFail = countedByFail;
         caster.hazards = caster.lightOn = 0;
@@ -79,7 +79,7 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         clearSummaries(out, group.count, out.hostSummaries);
         out.summaries.write(std::span<const gpu::LightSummary>(out.hostSummaries));
         out.casters.write(std::span<const gpu::CasterState>(out.hostCasters));
-        technique.sweep(geometry, group, figures, out);
+        technique.sweep(geometry, group, options, out);
 
         const std::uint32_t needed = largestList(out.hostSummaries);
         bool again = needed > out.capacity;

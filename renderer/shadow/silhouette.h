@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gpu/objects.h"
+#include "shadow/fault.h"
 #include "shadow/geometry.h"
 
 namespace umbrage {
@@ -40,6 +41,11 @@ struct Silhouettes {
     void bind() const;
 };
 
+struct SweepOptions {
+    bool halve = true;     // LIST_HALVED gets one quad for two crossings, else both
+    bool figures = false;  // also count lit triangles and silhouette edges
+};
+
 class SilhouetteTechnique {
 public:
     virtual ~SilhouetteTechnique() = default;
@@ -47,12 +53,13 @@ public:
 
     /// One sweep over the triangles and edges. `casters` says which are counted by z-fail; the sweep adds hazards to
     /// it, and fills everything else. Lists that outgrow `capacity` are cut, but their counts are right.
-    /// @param figures  also count lit triangles and silhouette edges
-    virtual void sweep(const Geometry& geometry, const LightGroup& group, bool figures, Silhouettes& out) = 0;
+    virtual void sweep(const Geometry& geometry, const LightGroup& group, const SweepOptions& options,
+                       Silhouettes& out) = 0;
 };
 
 /// @param name  "compute" or "cpu"
-std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view name);
+/// @param fault  planted into the device's own
+std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view name, Fault fault = Fault::None);
 
 /// Lights into every instance's model space, in double and rounded once (docs/rules.md, G3).
 void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out);
@@ -61,6 +68,6 @@ void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, 
 /// changes to the other count, once (z-fail has a zone only with an orthographic eye). Results are read back.
 /// @param countedByFail  bits of the group's lights whose casters are counted by z-fail, hazards apart
 void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, const LightGroup& group,
-                     std::uint32_t countedByFail, bool figures, Silhouettes& out);
+                     std::uint32_t countedByFail, const SweepOptions& options, Silhouettes& out);
 
 }  // namespace umbrage

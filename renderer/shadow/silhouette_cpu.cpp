@@ -101,14 +101,15 @@ class CpuSilhouettes : public SilhouetteTechnique {
 public:
     std::string_view name() const override { return "cpu"; }
 
-    void sweep(const Geometry& geometry, const LightGroup& group, bool, Silhouettes& out) override {
+    void sweep(const Geometry& geometry, const LightGroup& group, const SweepOptions& options,
+               Silhouettes& out) override {
         if (positions_.empty() || geometry.deforms()) positions_ = geometry.readPositions();
         facing_.assign(geometry.placedTriangleCount(), gpu::uvec2(0));
         planes_.assign(geometry.placedTriangleCount(), gpu::vec4(0.0f));
         entries_.assign(std::size_t(group.count) * LIST_COUNT, {});
         for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
             faceTriangles(geometry, i, group, out);
-            findEdges(geometry, i, group, out);
+            findEdges(geometry, i, group, options.halve, out);
         }
         upload(group, out);
     }
@@ -131,7 +132,7 @@ private:
     void countEye(const gpu::InstanceData& instance, const glm::vec4& light, float lightSide,
                   const std::array<glm::vec3, 3>& v, const glm::vec3& n, std::uint32_t list, std::uint32_t l,
                   gpu::LightSummary& summary, gpu::CasterState& caster) const;
-    void findEdges(const Geometry& geometry, std::uint32_t i, const LightGroup& group, Silhouettes& out);
+    void findEdges(const Geometry& geometry, std::uint32_t i, const LightGroup& group, bool halve, Silhouettes& out);
     void upload(const LightGroup& group, Silhouettes& out);
 
     std::vector<float> positions_;
@@ -211,7 +212,8 @@ void CpuSilhouettes::countEye(const gpu::InstanceData& instance, const glm::vec4
     if (undecided) caster.hazards |= 1u << l;
 }
 
-void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const LightGroup& group, Silhouettes& out) {
+void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const LightGroup& group, bool halve,
+                               Silhouettes& out) {
     const gpu::InstanceData& instance = geometry.instances()[i];
     const gpu::uvec2* facing = &facing_[instance.placedTriangleBase];
     const auto traversals = [&](std::uint32_t triangle) {
@@ -229,7 +231,7 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             if (!(silhouette >> l & 1u)) continue;
             const std::uint32_t list = listOf(instance, out.hostCasters[i], l, edge.left & EDGE_EVEN);
             const bool negative = (twice.y | once.y) >> l & 1u;
-            const int times = ((twice.x | twice.y) >> l & 1u) && list != LIST_HALVED ? 2 : 1;
+            const int times = ((twice.x | twice.y) >> l & 1u) && !(halve && list == LIST_HALVED) ? 2 : 1;
             const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative);
             const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
             const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);

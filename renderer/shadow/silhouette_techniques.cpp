@@ -7,11 +7,11 @@
 namespace umbrage {
 
 // One line a technique; each is in a file of its name.
-std::unique_ptr<SilhouetteTechnique> makeComputeSilhouettes();
+std::unique_ptr<SilhouetteTechnique> makeComputeSilhouettes(Fault fault);
 std::unique_ptr<SilhouetteTechnique> makeCpuSilhouettes();
 
-std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view name) {
-    if (name == "compute") return makeComputeSilhouettes();
+std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view name, Fault fault) {
+    if (name == "compute") return makeComputeSilhouettes(fault);
     if (name == "cpu") return makeCpuSilhouettes();
     throw std::logic_error("no such silhouette technique: " + std::string(name));
 }

@@ -266,7 +266,7 @@ std::vector<Case> lightShapeCases() {
         terminator("F5-1", "a coarse ball, 16 x 8, with smooth normals; the light at its horizon",
                    pointLight("Lamp", at({-6, 2.25, 1.5}), 7)),
         terminator("F5-2", "the ball of F5-1, the sun at the horizon",
-                   sun("Sun", at({-1.5, 0.03125, 1.5}), at({0, 0, 0})))};
+                   sun("Sun", at({-2, 0.03125, 1.25}), at({0, 0, 0})))};
 }
 
 }  // namespace generator::stress

@@ -170,11 +170,19 @@ TEST_F(GltfAccessor, UnknownTypesAreErrors) {
     expectGltfError(builder, "/accessors/0/bufferView", "names buffer view 7");
 }
 
-TEST_F(GltfAccessor, NumbersThatAreNotFiniteAreErrorsNamingTheElement) {
-    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+TEST_F(GltfAccessor, NumbersThatAreNotFiniteAreErrorsNamingAccessorAndElement) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    for (const float bad : {std::numeric_limits<float>::quiet_NaN(), kInfinity, -kInfinity}) {
         attributes()["POSITION"] = builder.vec3s({0, 0, 0, 1, 0, 0, 0, bad, 0});
-        expectGltfError(builder, "/meshes/0/primitives/0/attributes/POSITION", "element 2 of accessor");
+        expectGltfError(builder, "/meshes/0/primitives/0/attributes/POSITION",
+                        "element 2 of accessor " + attributes()["POSITION"].dump());
     }
+}
+
+TEST_F(GltfAccessor, AMorphTargetThatIsNotFiniteIsAnErrorToo) {
+    builder.primitive()["targets"] = {
+        {{"POSITION", builder.vec3s({0, 0, 0, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0})}}};
+    expectGltfError(builder, "/meshes/0/primitives/0/targets/0/POSITION", "element 2 of accessor");
 }
 
 TEST_F(GltfAccessor, HugeAccessorsWithoutDataAreErrorsBeforeTheyAreAllocated) {

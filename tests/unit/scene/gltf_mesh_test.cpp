@@ -65,9 +65,11 @@ protected:
     const std::string kPrimitive = "/meshes/0/primitives/0";
 };
 
-TEST_F(GltfMesh, AnIndexBeyondTheVerticesIsAnErrorWithItsValue) {
-    builder.primitive()["indices"] = builder.accessor<std::uint8_t>("SCALAR", {0, 1, 3}, 3);
-    expectGltfError(builder, kPrimitive + "/indices", "index 2 is 3, but there are 3 vertices");
+TEST_F(GltfMesh, AnIndexBeyondTheVerticesIsAnErrorWithItsAccessorAndValue) {
+    const json indices = builder.accessor<std::uint8_t>("SCALAR", {0, 1, 3}, 3);
+    builder.primitive()["indices"] = indices;
+    expectGltfError(builder, kPrimitive + "/indices",
+                    "index 2 of accessor " + indices.dump() + " is 3, but there are 3 vertices");
 }
 
 TEST_F(GltfMesh, ThePrimitiveRestartValueIsAnErrorEvenWhereItNamesAVertex) {
