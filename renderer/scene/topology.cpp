@@ -73,6 +73,19 @@ struct HalfEdge {
     bool reversed;
 };
 
+std::uint64_t edgeKey(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t(a) << 32 | b;
+}
+
+/// The order of an edge's ends, by position: edges of different meshes that lie at the same place are drawn alike.
+bool comesBefore(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
+    const glm::vec3 &p = mesh.positions[a], &q = mesh.positions[b];
+    for (int i = 0; i < 3; ++i) {
+        if (p[i] != q[i]) return p[i] < q[i];
+    }
+    return a < b;
+}
+
 class Components {
 public:
     explicit Components(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -175,7 +188,8 @@ MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t from = v[i], to = v[(i + 1) % 3];
             vertexUsed[from] = true;
-            halves.push_back({std::uint64_t(std::min(from, to)) << 32 | std::max(from, to), t, from > to});
+            const bool reversed = comesBefore(mesh, to, from);
+            halves.push_back({reversed ? edgeKey(to, from) : edgeKey(from, to), t, reversed});
         }
     }
     std::sort(halves.begin(), halves.end(), [](const HalfEdge& x, const HalfEdge& y) {

@@ -2,7 +2,7 @@
 // The edges of a mesh's casting triangles, for any triangle soup (docs/rules.md, G2, R3).
 //
 // Vertices that can never separate (equal positions, and equal joints, weights, morph displacements and, where a
-// procedure moves vertices along them, normals) are welded by exact bits. Every edge record names two vertices a < b in
+// procedure moves vertices along them, normals) are welded by exact bits. Every edge record names two vertices in
 // canonical order and at most two triangles; an edge with more triangles has several records, which is right because
 // counts are sums.
 #pragma once
@@ -18,7 +18,7 @@ namespace umbrage {
 struct MeshEdge {
     static constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
-    std::uint32_t a = 0, b = 0;                        // vertices of the mesh, a < b
+    std::uint32_t a = 0, b = 0;                        // vertices of the mesh, a before b by position
     std::uint32_t left = 0, right = kNoTriangle;       // triangles of the mesh
     bool leftReversed = false, rightReversed = false;  // the triangle runs from b to a
 };

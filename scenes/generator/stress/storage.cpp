@@ -8,7 +8,7 @@ namespace {
 /// A box whose upper face has a point more on each side, at a third: beside the edge, by rounding. The upright faces
 /// know these points only when repaired.
 Mesh splitBox(bool repaired) {
-    const auto put = [](double x, double y, double z) { return dvec3(vec3(oddRotation() * dvec3(x, y, z))); };
+    const auto put = [](double x, double y, double z) { return rounded(oddRotation() * dvec3(x, y, z)); };
     const dvec3 top[] = {put(-1, 1, 1), put(1, 1, 1), put(1, 1, -1), put(-1, 1, -1)};
     const dvec3 bottom[] = {put(-1, -1, 1), put(1, -1, 1), put(1, -1, -1), put(-1, -1, -1)};
     const dvec3 middle = (top[0] + top[1] + top[2] + top[3]) / 4.0;

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the metamorphic tests picture (random scenes, and scenes of ours at a small size), how, and how two pictures'
+// masks compare.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "judge/judge.h"
+#include "judge/verify.h"
+#include "oracle/formulas.h"
+#include "techniques.h"
+
+namespace umbrage::test {
+
+using oracle::Corners;
+
+/// Something to picture.
+struct Subject {
+    std::string name;
+    Scene scene;
+    std::vector<Index> animations;
+    double timeSeconds = 0.0;
+    PlacedCamera camera;
+    int width = 0, height = 0;
+    bool tied = false;       // coordinates are on a grid: depths tie, lights lie in planes
+    std::uint64_t seed = 0;  // 0: one of ours
+
+    Moment moment() const { return evaluate(scene, animations, timeSeconds); }
+};
+
+/// Random scenes (more with UMBRAGE_RANDOM_SCENES=number, others with UMBRAGE_RANDOM_SEED=first) and two of ours.
+const std::vector<Subject>& subjects();
+
+struct How {
+    Technique technique = {"compute", "z-pass"};
+    bool halve = true, skipOutOfReach = true, shadows = true, counts = false;
+};
+
+FramePixels picture(const Subject& subject, const Moment& moment, const How& how = {});
+inline FramePixels picture(const Subject& subject, const How& how = {}) {
+    return picture(subject, subject.moment(), how);
+}
+
+/// Samples, summed over lights, that are dark for no other reason than a shadow.
+std::size_t shadowed(const Subject& subject, const FramePixels& pixels);
+
+/// Samples, summed over lights, whose masks differ. The lights may come in another order.
+std::size_t maskDifferences(const FramePixels& a, const FramePixels& b);
+
+/// Pictures by the default technique, and judges that.
+/// @return hard errors of all lights
+std::uint64_t hardErrors(const Subject& subject, const Moment& moment, FramePixels& pixels);
+
+/// In the world: triangles of opaque meshes that do not deform.
+std::vector<Corners> castersOf(const Subject& subject, const Moment& moment);
+
+}  // namespace umbrage::test
