@@ -29,12 +29,12 @@ void Truth::update(const Moment& moment, const Geometry& geometry) {
         const Mesh& mesh = scene_.meshes[std::size_t(instance.mesh)];
         std::vector<glm::dvec3> world;
         for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
-            glm::dvec3 p = mesh.positions[v];
-            if (geometry.hasOwnVertices(i)) {
-                const float* own = &evaluated[3 * (geometry.instances()[i].vertexBase + v)];
-                p = {own[0], own[1], own[2]};
+            if (!geometry.hasOwnVertices(i)) {
+                world.push_back(instance.worldFromModel * glm::dvec4(mesh.positions[v], 1.0));
+                continue;
             }
-            world.push_back(geometry.worldFromModel(i) * glm::dvec4(p, 1.0));
+            const float* own = &evaluated[3 * (geometry.instances()[i].vertexBase + v)];
+            world.push_back(geometry.worldFromModel(i) * glm::dvec4(own[0], own[1], own[2], 1.0));
         }
         const glm::dmat4& placing = instance.skinned() ? instance.worldFromBindPose[0] : instance.worldFromModel;
         const bool mirrored = glm::determinant(glm::dmat3(placing)) < 0.0;

@@ -166,6 +166,7 @@ MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials
     MeshTopology topology;
     topology.casts.assign(triangleCount, true);
     topology.even.assign(triangleCount, false);
+    topology.hasArea.assign(triangleCount, true);
     for (const Primitive& primitive : mesh.primitives) {
         if (primitive.topology != Topology::Triangles || primitive.material == kNone) continue;
         if (materials[std::size_t(primitive.material)].alphaMode != AlphaMode::Blend) continue;
@@ -182,7 +183,7 @@ MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials
                                     welded[mesh.indices[3 * t + 2]]};
         if (hasNoArea(mesh, v)) {
             topology.figures.degenerateTriangles += topology.casts[t];
-            topology.casts[t] = false;
+            topology.casts[t] = topology.hasArea[t] = false;
         }
         if (!topology.casts[t]) continue;
         for (int i = 0; i < 3; ++i) {

@@ -25,8 +25,9 @@ struct MeshEdge {
 
 struct MeshTopology {
     std::vector<MeshEdge> edges;
-    std::vector<bool> casts;  // per triangle: false for BLEND materials and triangles without area
-    std::vector<bool> even;   // per triangle: all edges of its connected component have an even number of triangles
+    std::vector<bool> casts;    // per triangle: false for BLEND materials and triangles without area
+    std::vector<bool> hasArea;  // per triangle: false where its corners lie exactly on a line
+    std::vector<bool> even;     // per triangle: all edges of its connected component have an even number of triangles
 
     struct Figures {
         std::uint32_t weldedVertices = 0, edges = 0;  // of the casting triangles

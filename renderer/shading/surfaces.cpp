@@ -58,7 +58,7 @@ Surfaces::Surfaces(const Scene& scene, const Geometry& geometry)
             const AlphaMode alpha =
                 primitive.material == kNone ? AlphaMode::Opaque : scene.materials[primitive.material].alphaMode;
             if (alpha == AlphaMode::Blend) {
-                draw.center = centerOf(mesh, primitive);
+                draw.center = centerOf(mesh, primitive) - geometry.originOf(i);
                 blended_.push_back(draw);
             } else {
                 opaque_.push_back(draw);

@@ -47,6 +47,17 @@ std::vector<bool> nodesWhoseScaleMoves(const Scene& scene) {
     return moves;
 }
 
+/// What is subtracted from a mesh's positions, exactly, where it lies farther from its own origin than it is large: the
+/// floats that facing is decided in are relative to the mesh, whatever space it was modelled in (T7).
+glm::vec3 originBetween(const glm::vec3& low, const glm::vec3& high) {
+    glm::vec3 origin(0.0f);
+    for (int k = 0; k < 3; ++k) {
+        const float centre = 0.5f * low[k] + 0.5f * high[k], half = 0.5f * high[k] - 0.5f * low[k];
+        if (std::abs(centre) > 2.0f * half) origin[k] = centre;  // p - centre is exact where p is within a factor of 2
+    }
+    return origin;
+}
+
 /// Rows of the upper 3x4, rounded once.
 void storeRows(const glm::dmat4& m, gpu::vec4 (&rows)[3]) {
     for (int r = 0; r < 3; ++r) rows[r] = gpu::vec4(m[0][r], m[1][r], m[2][r], m[3][r]);
@@ -88,6 +99,9 @@ Geometry::Geometry(const Scene& scene, const Moment& first, bool worldFloats)
             range.boundsMin = glm::min(range.boundsMin, p);
             range.boundsMax = glm::max(range.boundsMax, p);
         }
+        if (!displaced && !mesh.positions.empty()) range.origin = originBetween(range.boundsMin, range.boundsMax);
+        range.boundsMin -= range.origin;
+        range.boundsMax -= range.origin;
         for (const Primitive& primitive : mesh.primitives) {
             if (primitive.topology != Topology::Triangles) continue;
             const Material material = primitive.material == kNone ? Material{} : scene.materials[primitive.material];
@@ -101,6 +115,11 @@ Geometry::Geometry(const Scene& scene, const Moment& first, bool worldFloats)
             }
         }
         indices_.insert(indices_.end(), mesh.indices.begin(), mesh.indices.begin() + 3 * range.triangleCount);
+        for (std::uint32_t t = 0; t < range.triangleCount; ++t) {
+            // Without area it has no effect at all; snapped to the rasteriser's grid it might cover something.
+            std::uint32_t* v = &indices_[3 * (std::size_t(range.firstTriangle) + t)];
+            if (!topology.hasArea[t]) v[1] = v[2] = v[0];
+        }
         for (const MeshEdge& edge : topology.edges) edges_.push_back(deviceEdge(edge, topology.even[edge.left]));
         ranges_.push_back(range);
         topologies_.push_back(std::move(topology));
@@ -186,7 +205,9 @@ std::uint32_t Geometry::firstIndex(std::uint32_t mesh, const Primitive& primitiv
 
 void Geometry::update(const Scene& scene, const Moment& moment, const Eye& eye) {
     deform(scene, moment, eye);
-    for (std::size_t i = 0; i < instances_.size(); ++i) worldFromModel_[i] = moment.instances[i].worldFromModel;
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        worldFromModel_[i] = glm::translate(moment.instances[i].worldFromModel, originOf(i));
+    }
     for (const Deforming& own : deforming_) {
         if (own.relativeToOrigin) worldFromModel_[own.instance] = glm::translate(glm::dmat4(1.0), origin_);
     }
@@ -227,7 +248,8 @@ void Geometry::deform(const Scene& scene, const Moment& moment, const Eye& eye) 
         if (!own.relativeToOrigin) continue;
         for (std::uint32_t j = 0; j < own.jointCount; ++j) {
             gpu::vec4 rows[3];
-            storeRows(originFromWorld * (placed.skinned() ? placed.worldFromBindPose[j] : placed.worldFromModel), rows);
+            const glm::dmat4& placing = placed.skinned() ? placed.worldFromBindPose[j] : placed.worldFromModel;
+            storeRows(originFromWorld * glm::translate(placing, originOf(own.instance)), rows);
             joints.insert(joints.end(), rows, rows + 3);
         }
     }

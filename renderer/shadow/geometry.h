@@ -40,6 +40,9 @@ public:
     const std::vector<gpu::InstanceData>& instances() const { return instances_; }
     const std::vector<MeshTopology>& topologies() const { return topologies_; }  // one a mesh
     const glm::dmat4& worldFromModel(std::size_t instance) const { return worldFromModel_[instance]; }
+    /// Where the origin of an instance's model space here is in that of the file: a mesh far from its origin is moved
+    /// to it.
+    glm::dvec3 originOf(std::size_t instance) const { return ranges_[instanceMesh_[instance]].origin; }
 
     /// Vertex attributes 0 to 5 (position, normal, tangent, two texture coordinates, colour) and the indices of all
     /// primitives; attribute 6 is `drawIds`, advancing with the base instance. Draw with baseVertex = vertexBase.
@@ -72,6 +75,7 @@ private:
     struct MeshRange {
         std::uint32_t firstVertex = 0, firstTriangle = 0, triangleCount = 0, firstEdge = 0, edgeCount = 0;
         std::uint32_t firstOtherIndex = 0;  // lines and points: after the triangles of all meshes
+        glm::vec3 origin{0.0f};             // of the positions here, in the mesh's own space
         glm::vec3 boundsMin{0.0f}, boundsMax{0.0f};
     };
     /// An instance with vertices of its own.

@@ -15,21 +15,23 @@ void Geometry::uploadVertices(const Scene& scene) {
     std::vector<float> morphs;
     std::vector<std::uint32_t> firstMorph(scene.meshes.size()), firstInfluence(scene.meshes.size());
 
-    const auto place = [&](const Mesh& mesh, bool displaced, std::uint32_t firstVertex) {
+    const auto place = [&](std::size_t m, std::uint32_t firstVertex) {
+        const Mesh& mesh = scene.meshes[m];
         const auto copy = [&](const auto& from, auto& to) {
             if (from.empty()) return;
             to.resize(vertexCount_);
             std::copy(from.begin(), from.end(), to.begin() + firstVertex);
         };
-        copy(mesh.positions, positions);
-        copy(displaced ? normalsOf(mesh) : mesh.normals, normals);
+        std::transform(mesh.positions.begin(), mesh.positions.end(), positions.begin() + firstVertex,
+                       [&](const glm::vec3& p) { return p - ranges_[m].origin; });
+        copy(displaced_[m] ? normalsOf(mesh) : mesh.normals, normals);
         copy(mesh.tangents, tangents);
         copy(mesh.colors, colors);
         for (int s = 0; s < kTexCoordSetCount; ++s) copy(mesh.texCoords[s], texCoords[s]);
     };
     for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
         const Mesh& mesh = scene.meshes[m];
-        place(mesh, displaced_[m], ranges_[m].firstVertex);
+        place(m, ranges_[m].firstVertex);
         firstInfluence[m] = std::uint32_t(influences.size() / 6);
         for (std::size_t i = 0; i < mesh.joints.size(); ++i) {
             std::uint32_t words[6];
@@ -52,7 +54,7 @@ void Geometry::uploadVertices(const Scene& scene) {
     std::uint32_t jointCount = 0, weightCount = 0;
     for (Deforming& own : deforming_) {
         const std::uint32_t mesh = instanceMesh_[own.instance];
-        place(scene.meshes[mesh], displaced_[mesh], own.firstVertex);
+        place(mesh, own.firstVertex);
         own.firstInfluence = firstInfluence[mesh];
         own.firstMorph = firstMorph[mesh];
         own.firstJoint = jointCount;

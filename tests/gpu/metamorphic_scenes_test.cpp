@@ -3,7 +3,7 @@
 // casters where it is dark already; M5: mirrored.
 #include <random>
 
-#include "metamorphic.h"
+#include "subjects.h"
 
 namespace umbrage::test {
 namespace {

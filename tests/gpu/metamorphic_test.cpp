@@ -2,7 +2,7 @@
 // Metamorphic tests: what must hold between two pictures of one scene, whatever is right in each. M1: techniques count
 // alike; M6: skips; M7: repetition; M8: casters add up; M9: lights add up. Those that change the scene are in
 // metamorphic_scenes_test.cpp.
-#include "metamorphic.h"
+#include "subjects.h"
 
 namespace umbrage::test {
 namespace {
@@ -93,13 +93,10 @@ TEST(Metamorphic, M7AFrameIsTheSameAgainAndAfterAnother) {
         elsewhere.worldFromCamera[3] += glm::dvec4(1234.5, -67.8, 910.1, 0.0);
         PlacedCamera beside = subject.camera;
         beside.worldFromCamera[3] += glm::dvec4(0.25, 0.5, -0.125, 0.0);
-        FrameSettings settings;
-        settings.width = subject.width;
-        settings.height = subject.height;
         FrameOutputs outputs;
         outputs.samples = true;
         Statistics statistics;
-        FrameRenderer renderer(subject.scene, moment, settings, context());
+        FrameRenderer renderer(subject.scene, moment, subject.settings(), context());
         const FramePixels first = renderer.render(moment, subject.camera, outputs, 1, statistics);
         shadow += shadowed(subject, first);
         expectSameBits(first, renderer.render(moment, subject.camera, outputs, 1, statistics));
@@ -125,13 +122,10 @@ Moment only(Moment moment, const std::vector<std::size_t>& kept) {
 
 /// Of every pixel, the instance that is seen.
 std::vector<std::size_t> seenInstances(const Subject& subject, const Moment& moment) {
-    FrameSettings settings;
-    settings.width = subject.width;
-    settings.height = subject.height;
     FrameOutputs outputs;
     outputs.samples = true;
     Statistics statistics;
-    FrameRenderer renderer(subject.scene, moment, settings, context());
+    FrameRenderer renderer(subject.scene, moment, subject.settings(), context());
     const FramePixels pixels = renderer.render(moment, subject.camera, outputs, 1, statistics);
     const std::vector<gpu::InstanceData>& instances = renderer.geometry().instances();
     std::vector<std::size_t> seen;

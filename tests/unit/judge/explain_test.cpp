@@ -108,15 +108,49 @@ TEST(Explainer, ALightInTheSurfacesPlaneIsGrazing) {
     EXPECT_EQ(stage.ofWrongMask(directional({1, 1e-4, 0}), 20.3, 30.7), SampleVerdict::FalseLit);
 }
 
+/// A sliver a thousandth of a pixel wide over x = -1.
+const std::vector<Corners> kSliver = level(-1 - 0.0005 / 16.0, -1, -1 + 0.0005 / 16.0, 1, 2.0);
+
 TEST_P(Eyes, AShadowThinnerThanTheRaysAroundASampleExcusesWithinTheToleranceOnly) {
-    constexpr double kHalfWidth = 0.0005 / 16.0;  // metres; a thousandth of a pixel wide
-    const Stage stage({level(-1 - kHalfWidth, -1, -1 + kHalfWidth, 1, 2.0)}, GetParam());
-    const double px = pixelOf(1.0), pz = pixelOf(0.41);
-    EXPECT_FALSE(stage.exact(kSlanting, px, pz));
-    EXPECT_EQ(stage.ofWrongMask(kSlanting, px, pz), SampleVerdict::Boundary);
-    for (const double side : {-1.0, 1.0}) {
-        EXPECT_EQ(stage.ofWrongMask(kSlanting, px + side * kWithin, pz), SampleVerdict::Boundary);
-        EXPECT_EQ(stage.ofWrongMask(kSlanting, px + side * kBeyond, pz), SampleVerdict::FalseDark);
+    const Stage stage({kSliver}, GetParam());
+    // Both throw it on x = 1.
+    for (const PlacedLight& light : {kSlanting, pointLight({-3, 4, 0})}) {
+        const double spread = light.light.type == LightType::Point ? 2.0 : 1.0;
+        for (const double z : {-0.95, 0.41, 0.95}) {
+            SCOPED_TRACE(testing::Message() << spread << ", " << z);
+            const double px = pixelOf(1.0), pz = pixelOf(spread * z);
+            EXPECT_FALSE(stage.exact(light, px, pz));
+            EXPECT_EQ(stage.ofWrongMask(light, px, pz), SampleVerdict::Boundary);
+            for (const double side : {-1.0, 1.0}) {
+                EXPECT_EQ(stage.ofWrongMask(light, px + side * kWithin, pz), SampleVerdict::Boundary);
+                EXPECT_EQ(stage.ofWrongMask(light, px + side * kBeyond, pz), SampleVerdict::FalseDark);
+            }
+        }
+    }
+}
+
+TEST_P(Eyes, ASurfaceThinnerThanTheRaysAroundASampleMayBeSeenWithinTheToleranceOnly) {
+    // As thin, and turned away from the light, over x = -3.
+    constexpr double kHalf = 0.0005 / 16.0;
+    const Stage stage(
+        {square({-3 - kHalf, 4 * kHalf, -1}, {-3 - kHalf, 4 * kHalf, 1}, {-3 + kHalf, 0, 1}, {-3 + kHalf, 0, -1})},
+        GetParam());
+    const double px = pixelOf(-3.0), pz = pixelOf(0.41);
+    const std::uint32_t sliver = stage.seen(px, pz);
+    ASSERT_FALSE(stage.exact(kSlanting, px, pz));
+    // Aside, where its own shadow does not fall.
+    ASSERT_NE(stage.seen(px - kWithin, pz), sliver);
+    EXPECT_EQ(stage.ofWrongMask(kSlanting, px - kWithin, pz, sliver), SampleVerdict::Primary);
+    EXPECT_EQ(stage.ofWrongMask(kSlanting, px - kBeyond, pz, sliver), SampleVerdict::FalseDark);
+}
+
+TEST(Explainer, CastersBehindTheSurfaceOrBeyondTheLightExcuseNothing) {
+    const Stage stage({level(-1, -1, 1, 1, -2.0), level(-1, -1, 1, 1, 6.0)});
+    const PlacedLight light = pointLight({0, 3, 0});
+    // In line with the light and a side of the square below, and of the square above.
+    for (const double x : {0.6, 1.0}) {
+        ASSERT_TRUE(stage.exact(light, pixelOf(-x), pixelOf(0.2)) || x == 1.0);
+        EXPECT_EQ(stage.ofWrongMask(light, pixelOf(-x), pixelOf(0.2)), SampleVerdict::FalseDark) << x;
     }
 }
 
@@ -180,6 +214,33 @@ TEST(Explainer, CasterOnTheGroundExcusesAroundItsFootOnly) {
     EXPECT_FALSE(isHard(stage.ofWrongMask(kSlanting, px + kWithin, pz)));
     EXPECT_EQ(stage.ofWrongMask(kSlanting, px - kBeyond, pz), SampleVerdict::FalseDark);
     EXPECT_EQ(stage.ofWrongMask(kSlanting, px + kBeyond, pz), SampleVerdict::FalseLit);
+}
+
+TEST(Explainer, WithinDepthsRoundingASheetMayPassThroughTheGround) {
+    // It rises above the ground from x = -1 on, by a tenth of a millimetre a metre.
+    const Stage stage({square({-10, -9e-4, -10}, {-10, -9e-4, 10}, {8, 9e-4, 10}, {8, 9e-4, -10})});
+    const double pz = pixelOf(0.3);
+    EXPECT_FALSE(isHard(stage.ofWrongMask(kSlanting, pixelOf(-1.02), pz)));
+    EXPECT_EQ(stage.ofWrongMask(kSlanting, pixelOf(-1.5), pz), SampleVerdict::FalseDark);
+}
+
+TEST(Explainer, WithinDepthsRoundingTheNearPlaneMayCutALevelSurface) {
+    for (const bool perspective : {false, true}) {
+        const double pixel = pixelOf(0.03);
+        const PlacedLight light = directional({0, -1, 0});
+        const Stage touching({level(-1, -1, 1, 1, 18.0 - 1e-8)}, perspective, 2.0);
+        EXPECT_FALSE(isHard(touching.ofWrongMask(light, pixel, pixel)));
+        const Stage clear({level(-1, -1, 1, 1, 18.0 - 1e-3)}, perspective, 2.0);
+        EXPECT_EQ(clear.ofWrongMask(light, pixel, pixel), SampleVerdict::FalseDark);
+    }
+}
+
+TEST(Explainer, ARangeThatJustMissesIsExcusedAtItsTipOnly) {
+    const Stage stage({});
+    const PlacedLight light = pointLight({0, 3, 0}, std::nextafter(3.0f, 0.0f));
+    ASSERT_FALSE(stage.exact(light, 64.0, 64.0));
+    EXPECT_EQ(stage.ofWrongMask(light, 64.0, 64.0), SampleVerdict::Boundary);
+    EXPECT_EQ(stage.ofWrongMask(light, 64.5, 64.0), SampleVerdict::FalseLit);
 }
 
 TEST(Explainer, CountsAreExcusedWhereTheyChangeOnly) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "metamorphic.h"
+#include "subjects.h"
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "judge/random_scene.h"
 #include "scene/compose.h"
@@ -9,29 +10,13 @@
 namespace umbrage::test {
 namespace {
 
-Subject own(const std::string& name) {
-    const Job job = readJob(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs" / (name + ".yaml"));
-    Composition composition = compose(job);
-    Subject subject;
-    subject.name = name;
-    subject.width = 96;
-    subject.height = 72;
-    subject.timeSeconds = 0.5;
-    subject.animations = composition.animations;
-    subject.scene = std::move(composition.scene);
-    subject.camera = placeCamera(subject.scene, subject.moment(), composition.cameraNode);
-    return subject;
-}
-
 std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise) {
     const char* text = std::getenv(name);
     return text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
 FrameSettings settingsOf(const Subject& subject, const How& how) {
-    FrameSettings settings;
-    settings.width = subject.width;
-    settings.height = subject.height;
+    FrameSettings settings = subject.settings();
     settings.silhouette = how.technique.silhouette;
     settings.count = how.technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
     settings.halveEvenComponents = how.halve;
@@ -41,6 +26,27 @@ FrameSettings settingsOf(const Subject& subject, const How& how) {
 }
 
 }  // namespace
+
+FrameSettings Subject::settings() const {
+    FrameSettings settings;
+    settings.width = width;
+    settings.height = height;
+    return settings;
+}
+
+Subject ours(const std::string& name, int width, int height) {
+    const Job job = readJob(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs" / (name + ".yaml"));
+    Composition composition = compose(job);
+    Subject subject;
+    subject.name = name;
+    subject.width = width;
+    subject.height = height;
+    subject.timeSeconds = 0.5;
+    subject.animations = composition.animations;
+    subject.scene = std::move(composition.scene);
+    subject.camera = placeCamera(subject.scene, subject.moment(), composition.cameraNode);
+    return subject;
+}
 
 const std::vector<Subject>& subjects() {
     static const std::vector<Subject> all = [] {
@@ -59,8 +65,8 @@ const std::vector<Subject>& subjects() {
             subject.seed = seed;
             made.push_back(std::move(subject));
         }
-        made.push_back(own("knight"));
-        made.push_back(own("courtyard"));
+        made.push_back(ours("knight", 96, 72));
+        made.push_back(ours("courtyard", 96, 72));
         return made;
     }();
     return all;
@@ -99,7 +105,7 @@ std::uint64_t hardErrors(const Subject& subject, const Moment& moment, FramePixe
     FrameOutputs outputs;
     outputs.samples = true;
     Statistics statistics;
-    FrameRenderer renderer(subject.scene, moment, settingsOf(subject, {}), context());
+    FrameRenderer renderer(subject.scene, moment, subject.settings(), context());
     pixels = renderer.render(moment, subject.camera, outputs, 1, statistics);
     Judge judge(subject.scene, subject.width, subject.height, toleranceOf(context().subPixelBits()), 2);
     judge.setFrame(moment, subject.camera, renderer, pixels);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the metamorphic tests picture (random scenes, and scenes of ours at a small size), how, and how two pictures'
-// masks compare.
+// Scenes for tests that need no right answer written down: random ones, and ours at a small size; how they are
+// pictured, and how two pictures' masks compare.
 #pragma once
 
 #include <string>
@@ -26,8 +26,12 @@ struct Subject {
     bool tied = false;       // coordinates are on a grid: depths tie, lights lie in planes
     std::uint64_t seed = 0;  // 0: one of ours
 
+    FrameSettings settings() const;
     Moment moment() const { return evaluate(scene, animations, timeSeconds); }
 };
+
+/// A sequence of ours, half a second in.
+Subject ours(const std::string& name, int width, int height);
 
 /// Random scenes (more with UMBRAGE_RANDOM_SCENES=number, others with UMBRAGE_RANDOM_SEED=first) and two of ours.
 const std::vector<Subject>& subjects();
