@@ -86,6 +86,7 @@ Exactly exactly(const oracle::Oracle& oracle, const JudgedLight& light, std::uin
 
 /// The points of a surface that a sample may show: four corners beside it, each nearer and farther.
 struct Explainer::Patch {
+    EyeRay ray;
     std::array<glm::dvec3, 8> points;
     glm::dvec3 centre{0.0};
     bool valid = true;  // false: the surface is seen edge-on, or cut by the near plane, within the tolerance
@@ -145,6 +146,7 @@ Explainer::Patch Explainer::patchOf(const Sample& sample, std::uint32_t seen) co
     const Corners& t = oracle_[seen].corners;
     const EyeRay middle = rays_.at(sample.x, sample.y);
     const double e = distanceTo(t, middle);
+    patch.ray = middle;
     patch.centre = middle.origin + e * middle.direction;
     // Two quanta of depth at the farthest point of the polygon that can be in view.
     double last = e;
@@ -213,6 +215,18 @@ bool Explainer::mayBeSilhouette(const JudgedLight& light, std::uint32_t triangle
     return sum != 0;
 }
 
+/// Whether a triangle goes on with the receiver's surface: in its plane, or joined to it and seen from the same side.
+/// What lies a little below a surface is hidden by the surface itself, which excuses nothing.
+bool Explainer::continues(const Corners& t, const Corners& receiver, const Patch& patch) const {
+    const glm::dvec3 normal = glm::normalize(normalOf(receiver));
+    const bool coplanar = std::ranges::all_of(
+        t, [&](const glm::dvec3& p) { return std::abs(glm::dot(normal, p - receiver[0])) <= patch.rounding; });
+    const bool joined =
+        std::ranges::any_of(t, [&](const glm::dvec3& p) { return std::ranges::find(receiver, p) != receiver.end(); });
+    const glm::dvec3 direction = patch.ray.direction;
+    return coplanar || (joined && glm::dot(normalOf(t), direction) * glm::dot(normal, direction) > 0.0);
+}
+
 /// Every beam touches an edge that the light lies on, at its very end, which does not count: the way is open there.
 bool Explainer::endsOn(const JudgedLight& light, const glm::dvec3& a, const glm::dvec3& b) const {
     if (light.place.w == 0.0) return false;
@@ -224,7 +238,6 @@ bool Explainer::endsOn(const JudgedLight& light, const glm::dvec3& a, const glm:
 /// Whether the beam from the patch to the light touches an edge of the shadow's outline, or the patch a caster's plane.
 bool Explainer::nearSilhouette(const JudgedLight& light, std::uint32_t seen, const Patch& patch) const {
     const Corners& receiver = oracle_[seen].corners;
-    const glm::dvec3 receiverNormal = glm::normalize(normalOf(receiver));
     const glm::dvec3 way = towards(light.place, patch.centre);
     const double length = glm::length(way);
     const glm::dvec3 unit = way / length;
@@ -258,11 +271,8 @@ bool Explainer::nearSilhouette(const JudgedLight& light, std::uint32_t seen, con
         if (!mayBeInside(edges)) continue;
         const double atLight =
             glm::dot(n, light.place.w != 0.0 ? glm::dvec3(light.place) - t[0] : glm::dvec3(light.place));
-        if (atLight > 0.0 ? atPoint.high < 0.0 : atPoint.low > 0.0) continue;  // beside or behind the receiver
-        const bool coplanar = std::ranges::all_of(t, [&](const glm::dvec3& p) {
-            return std::abs(glm::dot(receiverNormal, p - receiver[0])) <= patch.radius + rounding;
-        });
-        if (!coplanar && atPoint.holdsZero()) return true;  // the caster passes through the patch
+        if (atLight > 0.0 ? atPoint.high < 0.0 : atPoint.low > 0.0) continue;    // beside or behind the receiver
+        if (atPoint.holdsZero() && !continues(t, receiver, patch)) return true;  // the caster passes through the patch
         for (std::size_t k = 0; k < 3; ++k) {
             if (edges[k].holdsZero() && !endsOn(light, t[k], t[(k + 1) % 3]) && mayBeSilhouette(light, i, k))
                 return true;

@@ -68,6 +68,7 @@ private:
     bool onRangeOrCone(const JudgedLight& light, const Patch& patch) const;
     bool nearSilhouette(const JudgedLight& light, std::uint32_t seen, const Patch& patch) const;
     bool onBoundary(const JudgedLight& light, const Sample& sample, std::uint32_t seen) const;
+    bool continues(const oracle::Corners& t, const oracle::Corners& receiver, const Patch& patch) const;
     bool endsOn(const JudgedLight& light, const glm::dvec3& a, const glm::dvec3& b) const;
     bool mayBeSilhouette(const JudgedLight& light, std::uint32_t triangle, std::size_t edge) const;
     const std::vector<std::pair<std::size_t, std::uint32_t>>& edges() const;
