@@ -68,7 +68,18 @@ void addRender(CLI::App& app, RenderOptions& o) {
 }
 
 void addVerify(CLI::App& app, VerifyCommandOptions& o) {
-    app.add_option("inputs", o.inputs, "sequences (.yaml) or scenes (.gltf, .glb)")->required();
+    CLI::Option* inputs = app.add_option("inputs", o.inputs, "sequences (.yaml) or scenes (.gltf, .glb)");
+    CLI::Option* random =
+        app.add_option("--random", o.random, "judge N random scenes instead, by all techniques where none are named")
+            ->check(CLI::PositiveNumber)
+            ->option_text("N")
+            ->excludes(inputs);
+    app.add_option("--seed", o.seed, "of the first random scene; scene i has seed + i - 1")
+        ->option_text("S (1)")
+        ->needs(random);
+    app.callback([inputs, random] {
+        if (inputs->empty() && random->empty()) throw CLI::RequiredError("a sequence, a scene or --random N");
+    });
     addJob(app, o.job);
     app.add_option("--techniques", o.techniques,
                    "all, or silhouette:count,silhouette:count,...; otherwise what the sequence says");

@@ -35,6 +35,8 @@ struct VerifyCommandOptions {
     std::string fault;
     std::string out = "out/verify", json, csv, markdown, device = "auto";
     int othersEvery = 1;
+    int random = 0;          // scenes to make instead of inputs
+    std::uint64_t seed = 1;  // of the first of them
     std::uint64_t maxHard = 0;
     Pictures pictures = Pictures::Failed;
     bool counts = false, perFrame = false, perLight = false, allowExternalFiles = false;

@@ -55,8 +55,8 @@ Fault faultOf(const std::string& name) {
 }
 
 /// The textbook's z-pass and pictures without shadows are wrong by choice.
-bool claimsExactness(const Job& job, const std::string& technique) {
-    return job.shadow.enabled && (job.shadow.eyeConstant || !technique.ends_with(":z-pass"));
+bool claimsExactness(const std::optional<Job>& job, const std::string& technique) {
+    return !job || (job->shadow.enabled && (job->shadow.eyeConstant || !technique.ends_with(":z-pass")));
 }
 
 /// Puts verdicts of one sequence into the report and draws what is wrong.
@@ -71,8 +71,13 @@ public:
     void started(std::size_t verdictCount) override { progress_.started(verdictCount, sequence_.name); }
 
     void judged(const FrameVerdict& verdict, const VerdictPlanes& planes, const std::vector<float>& radiance) override {
-        report_.add(sequence_.name, claimsExactness(*sequence_.job, verdict.technique), verdict);
+        report_.add(sequence_.name, claimsExactness(sequence_.job, verdict.technique), verdict);
         if (options_.pictures != Pictures::None) drawPicture(verdict, planes, radiance);
+        if (options_.random > 0 && verdict.hard() + verdict.hardCounts() > 0) {
+            progress_.note(fmt::format("random scene {} is wrong by {}; again: umbrage verify --random 1 --seed {}",
+                                       verdict.frame, verdict.technique,
+                                       options_.seed + std::uint64_t(verdict.frame) - 1));
+        }
         std::string errors = fmt::format("{} hard", verdict.hard());
         if (options_.counts) errors += fmt::format(", {} wrong counts", verdict.hardCounts());
         progress_.advanced(
@@ -104,6 +109,17 @@ private:
     VerifyReport& report_;
     Progress& progress_;
 };
+
+/// Random scenes, as if they were frames of one sequence.
+void judgeRandom(const Sequence& random, const VerifyCommandOptions& options, const VerifyOptions& common,
+                 const gpu::Context& context, VerifyReport& report, Progress& progress,
+                 const std::atomic<bool>& interrupted) {
+    const auto display = codec().displayTransform({});
+    VerifyOptions own = common;
+    if (own.techniques.empty()) own.techniques = allTechniques();
+    Watch watch(random, *display, options, report, progress);
+    verifyRandom(options.seed, options.random, context, *display, own, watch, interrupted);
+}
 
 void judge(const Sequence& sequence, const VerifyCommandOptions& options, const VerifyOptions& common,
            const gpu::Context& context, VerifyReport& report, Progress& progress,
@@ -157,6 +173,10 @@ int runVerify(const VerifyCommandOptions& options, bool quiet) {
     {
         Progress progress(options.progress, quiet);
         progress.note(fmt::format("device: {} ({})", device.renderer, device.version));
+        if (options.random > 0) {
+            const Sequence random{fmt::format("random-{}", options.seed), {}, {}};
+            judgeRandom(random, options, common, context, report, progress, interrupted);
+        }
         for (const Sequence& sequence : sequences) {
             if (interrupted || ended) break;
             try {
