@@ -51,11 +51,15 @@ void Progress::started(std::size_t frameCount, const std::string& title) {
     if (kind_ == ProgressKind::Bar) drawBar();
 }
 
+/// Every step has its line, up to so many; then every hundredth part of the run.
+constexpr std::size_t kMostLines = 1000;
+
 void Progress::advanced(const std::string& what) {
     ++done_;
     if (kind_ == ProgressKind::Bar) {
         drawBar();
-    } else if (kind_ == ProgressKind::Lines) {
+    } else if (kind_ == ProgressKind::Lines &&
+               (frameCount_ <= kMostLines || 100 * done_ / frameCount_ != 100 * (done_ - 1) / frameCount_)) {
         say("{} ({} of {})\n", what, done_, frameCount_);
     }
 }

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "error.h"
+#include "shaders/shared.h"
 
 namespace umbrage::gpu {
 
@@ -139,7 +140,10 @@ Framebuffer::Framebuffer(const char* label, std::span<const Attachment> colors, 
 
 void Framebuffer::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, name());
-    glViewport(0, 0, width_, height_);
+    constexpr float kScale = float(VIEWPORT_SCALE);
+    const float width = float(width_), height = float(height_);
+    glViewportIndexedf(0, 0.5f * (1.0f - kScale) * width, 0.5f * (1.0f - kScale) * height, kScale * width,
+                       kScale * height);
 }
 
 VertexArray::VertexArray(const char* label) {

@@ -24,7 +24,7 @@ inline bool isHard(SampleVerdict v) {
 
 /// One light's mask.
 struct LightVerdict {
-    std::string light;            // its id
+    std::string light;  // its id
     int samplesPerPixel = 1;
     std::uint64_t litFacing = 0;  // samples of surfaces that are turned to the light
     std::uint64_t exactDark = 0;  // of these in shadow

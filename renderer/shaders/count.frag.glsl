@@ -30,7 +30,7 @@ void crossBorder(inout vec2 range, inout int crossings, vec4 p, vec4 q, float la
 }
 
 void holdDepth() {
-    vec2 ndc = vec2(gl_FragCoord.x * view.pixelSize.x - 1.0, 1.0 - gl_FragCoord.y * view.pixelSize.y);
+    vec2 ndc = 1.0 / VIEWPORT_SCALE * vec2(gl_FragCoord.x * view.pixelSize.x - 1.0, 1.0 - gl_FragCoord.y * view.pixelSize.y);
     vec2 along = abs(farA.xy - ndc * farA.w) + abs(farB.xy - ndc * farB.w);
     int axis = along.x > along.y ? 0 : 1;  // the one a sliver runs along
     vec2 range = vec2(2.0, -1.0);

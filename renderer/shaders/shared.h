@@ -116,6 +116,10 @@ struct Edge {
 #define HAZARD 1.52587890625e-5   // 2^-16, of the distance: closer than this to a volume's faces the eye is on them (T4)
 #define EDGE_ON_SINE 0.0078125  // of the angle between the quad's plane and the direction to its edge
 
+// The viewport is that much larger than the picture, about its centre: where clipping moves corners (seen millimetres
+// before a quad of a kilometre, floats miss by pixels) it does so outside.
+#define VIEWPORT_SCALE 2.0
+
 // Uniform location shared by programs that differ in their vertex shader.
 #define COUNT_FRONT_VALUE 15
 

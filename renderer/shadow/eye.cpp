@@ -19,8 +19,8 @@ Eye makeEye(const PlacedCamera& placed, int width, int height) {
 
     glm::dmat4& clip = eye.clipFromView;
     clip = glm::dmat4(0.0);
-    clip[0][0] = 1.0 / eye.rayScale.x;
-    clip[1][1] = 1.0 / eye.rayScale.y;
+    clip[0][0] = 1.0 / (VIEWPORT_SCALE * eye.rayScale.x);
+    clip[1][1] = 1.0 / (VIEWPORT_SCALE * eye.rayScale.y);
     if (camera.perspective) {
         clip[3][2] = camera.znear;  // z_clip = znear, w_clip = -z
         clip[2][3] = -1.0;

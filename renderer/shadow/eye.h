@@ -12,7 +12,7 @@ namespace umbrage {
 struct Eye {
     glm::dmat4 viewFromWorld{1.0};
     glm::dmat4 worldFromView{1.0};
-    glm::dmat4 clipFromView{1.0};  // reversed depth in [0, 1]; perspective: infinite
+    glm::dmat4 clipFromView{1.0};  // reversed depth in [0, 1]; perspective: infinite; see VIEWPORT_SCALE
     bool perspective = true;
     double znear = 0.1, zfar = 0.0;  // zfar 0: infinite
     glm::dvec2 rayScale{1.0};        // half extent of the image at distance 1 (perspective) or in metres

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "subjects.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -52,7 +53,9 @@ const std::vector<Subject>& subjects() {
     static const std::vector<Subject> all = [] {
         std::vector<Subject> made;
         const std::uint64_t first = fromEnvironment("UMBRAGE_RANDOM_SEED", 1);
-        const std::uint64_t count = fromEnvironment("UMBRAGE_RANDOM_SCENES", 16);
+        const std::uint64_t count = fromEnvironment("UMBRAGE_RANDOM_SCENES", 32);
+        std::printf("random scenes of seeds %llu to %llu\n", static_cast<unsigned long long>(first),
+                    static_cast<unsigned long long>(first + count - 1));
         for (std::uint64_t seed = first; seed < first + count; ++seed) {
             RandomScene random = randomScene(seed);
             Subject subject;

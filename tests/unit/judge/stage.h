@@ -2,9 +2,8 @@
 // Known geometry under an eye that looks straight down at the ground, y = 0, on which 16 pixels are a metre.
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
-#include <memory>
-#include <utility>
 #include <vector>
 
 #include "judge/explain.h"
