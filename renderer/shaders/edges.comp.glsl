@@ -127,7 +127,10 @@ void main() {
                isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
         if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
         if (list != LIST_FAIL || eye.w == 0.0) {
-            if (hazardous(list == LIST_FAIL ? -eye : eye, light, a, b)) atomicOr(casters[instance].hazards, 1u << l);
+            vec4 start = list == LIST_FAIL ? -eye : eye;
+            bool hazard = hazardous(start, light, a, b);
+            if (hazard) atomicOr(casters[instance].hazards, 1u << l);
+            if (eye.w == 0.0 && (hazard || hazardous(-start, light, a, b))) atomicOr(casters[instance].inLine, 1u << l);
         }
     }
 }

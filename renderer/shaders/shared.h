@@ -139,6 +139,7 @@ struct CasterState {
     uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
     uint missing;        // some of it is nearer than what is seen there: culled, or before the near plane (T1)
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
+    uint inLine;         // bits of lights in line with its silhouette and an orthographic eye; as hazards
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight: not halved; written
                          // by the silhouette passes
 };

@@ -42,8 +42,8 @@ std::uint32_t largestList(std::span<const gpu::LightSummary> summaries) {
     return quads;
 }
 
-/// An orthographic eye that looks exactly along the way from the light to a vertex has volumes that end at either end
-/// of its rays, on one side of that vertex: neither count has one constant then. Where both are hazardous the caster's
+/// With a light exactly in line with a vertex and an orthographic eye, that vertex's way to infinity is a point on
+/// screen, its direction rounding, and volumes of one caster may end at either end of the view rays. Such a caster's
 /// light is moved across the view by 2^-20 of its distance, far below what a pixel shows.
 void moveAcrossView(const gpu::InstanceData& instance, glm::vec4& light) {
     const glm::vec3 along(instance.eyeInModel);
@@ -68,7 +68,7 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
                      std::uint32_t countedByFail, const SweepOptions& options, Silhouettes& out) {
     for (gpu::CasterState& caster : out.hostCasters) {
         caster.countedByFail = countedByFail;
-        caster.hazards = caster.lightOn = 0;
+        caster.hazards = caster.inLine = caster.lightOn = 0;
     }
     // Bits of lights whose count was changed already, and of those known to lie on a caster.
     std::vector<std::uint32_t> changed(out.hostCasters.size()), lightOn(out.hostCasters.size());
@@ -86,21 +86,22 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         if (again) out.capacity = needed + needed / 4;
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];
-            if (const std::uint32_t both = caster.hazards & changed[i] & ~moved[i]; both != 0) {
+            if (const std::uint32_t found = caster.inLine & ~moved[i]; found != 0) {
                 for (std::uint32_t l = 0; l < group.count; ++l) {
-                    if (!(both >> l & 1u)) continue;
+                    if (!(found >> l & 1u)) continue;
                     moveAcrossView(geometry.instances()[i],
                                    out.hostLightsInModel[i * out.totalLights + group.first + l]);
                 }
                 out.lightsInModel.write(std::span<const glm::vec4>(out.hostLightsInModel));
-                moved[i] |= both;
+                moved[i] |= found;
+                caster.hazards &= ~found;  // of the light where it was
                 again = true;
             }
             const std::uint32_t found = caster.hazards & ~changed[i];
             again = again || found != 0 || caster.lightOn != lightOn[i];
             lightOn[i] = caster.lightOn;
             caster.countedByFail ^= found;
-            caster.hazards = 0;
+            caster.hazards = caster.inLine = 0;
             changed[i] |= found;
         }
         if (!again) return;

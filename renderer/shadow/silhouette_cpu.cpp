@@ -240,9 +240,10 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             entries.insert(entries.end(), std::size_t(times), entry);
             ++out.hostSummaries[l].silhouetteEdges;
             if (list == LIST_FAIL && eye.w != 0.0f) continue;
-            if (hazardous(list == LIST_FAIL ? -eye : eye, light, a, b)) {
-                out.hostCasters[i].hazards |= 1u << l;
-            }
+            const glm::vec4 start = list == LIST_FAIL ? -eye : eye;
+            const bool hazard = hazardous(start, light, a, b);
+            if (hazard) out.hostCasters[i].hazards |= 1u << l;
+            if (eye.w == 0.0f && (hazard || hazardous(-start, light, a, b))) out.hostCasters[i].inLine |= 1u << l;
         }
     }
 }
