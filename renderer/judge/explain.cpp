@@ -320,7 +320,7 @@ SampleVerdict Explainer::explainMask(const JudgedLight& light, const Sample& sam
 bool Explainer::explainsCount(const JudgedLight& light, const Sample& sample,
                               const std::function<bool(std::uint32_t)>& claimed) const {
     return !isHard(explain(light, sample, [&](std::uint32_t seen, const EyeRay& ray) {
-        return seen != kNothing && claimed(oracle_.layersBefore(light.place, seen, ray));
+        return seen != kNothing && claimed(oracle_.volumesAround(light.place, seen, ray));
     }));
 }
 

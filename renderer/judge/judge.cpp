@@ -161,7 +161,7 @@ void Judge::Impl::judgeCounts(std::size_t l, const LightPlanes& planes, const Ex
             if (!judged[i] || seen[i] == kNothing || !lights[l].on) continue;
             const Explainer::Sample sample = sampleAt(i);
             const EyeRay ray = rays->at(sample.x, sample.y);
-            const std::uint32_t exact = truth.oracle().layersBefore(lights[l].place, seen[i], ray);
+            const std::uint32_t exact = truth.oracle().volumesAround(lights[l].place, seen[i], ray);
             ++sum.countsJudged;
             if (((planes.counts[i] ^ exact) & mask) == 0) continue;
             ++sum.countErrors;

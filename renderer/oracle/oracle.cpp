@@ -120,4 +120,16 @@ std::uint32_t Oracle::layersBefore(const glm::dvec4& light, std::uint32_t seen, 
     return layers;
 }
 
+std::uint32_t Oracle::volumesAround(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {
+    const SurfacePoint point(ray, triangles_[seen].corners);
+    const Way way = wayTo(light, point.position(candidates_->tolerance()));
+    std::uint32_t volumes = 0;
+    candidates_->along(way.ray, way.length, [&](std::uint32_t i) {
+        volumes += triangles_[i].casts &&
+                   ((i != seen && point.hiddenBy(corners_[i], light)) || point.shadedSideOf(corners_[i], light));
+        return way.length;
+    });
+    return volumes;
+}
+
 }  // namespace umbrage::oracle

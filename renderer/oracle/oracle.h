@@ -72,6 +72,10 @@ public:
     /// How many there are.
     std::uint32_t layersBefore(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const;
 
+    /// How many shadow volumes hold the place just before the surface: the same, and the surface's own where the eye
+    /// looks at its shaded side. What counting volumes gives.
+    std::uint32_t volumesAround(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const;
+
 private:
     std::vector<Triangle> triangles_;
     std::vector<Corners> corners_;

@@ -136,4 +136,12 @@ bool SurfacePoint::hiddenBy(const Corners& t, const glm::dvec4& light) const {
     return passesThrough(edgeSides(exact, p, t));
 }
 
+bool SurfacePoint::shadedSideOf(const Corners& t, const glm::dvec4& light) const {
+    if (sideOfLight(t, light) * sideOfRay(t, ray_) >= 0) return false;
+    if (t == seen_) return true;
+    const Point<Exact> p = surfacePoint<Exact>(seen_, ray_);
+    const Crossing<Exact> exact = crossing(p, t, light);
+    return exact.atPoint.sign() == 0 && passesThrough(edgeSides(exact, p, t));
+}
+
 }  // namespace umbrage::oracle

@@ -38,6 +38,10 @@ public:
     /// through the triangle.
     bool hiddenBy(const Corners& t, const glm::dvec4& light) const;
 
+    /// Whether the triangle holds the point in its plane and is turned away from the eye or from the light, so that its
+    /// shadow lies before it.
+    bool shadedSideOf(const Corners& t, const glm::dvec4& light) const;
+
 private:
     Ray ray_;
     Corners seen_;
