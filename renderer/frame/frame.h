@@ -51,8 +51,9 @@ struct LightPlanes {
 
 /// What is seen at every sample, and where it lies in its pixel (from the upper left corner).
 struct SeenSamples {
-    std::vector<glm::vec2> positions;      // of the samples of every pixel
-    std::vector<std::uint32_t> triangles;  // placed triangle, NO_TRIANGLE or LINE_OR_POINT (shaders/shared.h): sample after sample
+    std::vector<glm::vec2> positions;  // of the samples of every pixel
+    std::vector<std::uint32_t>
+        triangles;  // placed triangle, NO_TRIANGLE or LINE_OR_POINT (shaders/shared.h): sample after sample
 };
 
 struct FramePixels {

@@ -62,8 +62,8 @@ void applyDefaults() {
     // Row 0 is the top row, as in image files: no picture is ever flipped.
     glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
     glClearDepth(0.0);
-    // llvmpipe turns clockwise triangles around so that their first vertex stays first: then two coincident ones that run
-    // in opposite directions interpolate the same depths.
+    // llvmpipe turns clockwise triangles around so that their first vertex stays first: then two coincident ones that
+    // run in opposite directions interpolate the same depths.
     glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     glDisable(GL_DITHER);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -113,8 +113,8 @@ struct Edge {
 // Each list in two: quads seen nearly edge-on are kept apart, at kind + LIST_EDGE_ON (see count.frag.glsl).
 #define LIST_EDGE_ON LIST_KINDS
 #define LIST_COUNT (2 * LIST_KINDS)
-#define HAZARD 1.52587890625e-5   // 2^-16, of the distance: closer than this to a volume's faces the eye is on them (T4)
-#define EDGE_ON_SINE 0.0078125  // of the angle between the quad's plane and the direction to its edge
+#define HAZARD 1.52587890625e-5  // 2^-16, of the distance: closer than this to a volume's faces the eye is on them (T4)
+#define EDGE_ON_SINE 0.0078125   // of the angle between the quad's plane and the direction to its edge
 
 // The viewport is that much larger than the picture, about its centre: where clipping moves corners (seen millimetres
 // before a quad of a kilometre, floats miss by pixels) it does so outside.
@@ -140,8 +140,8 @@ struct CasterState {
     uint missing;        // some of it is nearer than what is seen there: culled, or before the near plane (T1)
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
     uint inLine;         // bits of lights in line with its silhouette and an orthographic eye; as hazards
-    uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight: not halved; written
-                         // by the silhouette passes
+    uint lightOn;  // bits of lights that lie on one of its triangles, which then has no weight: not halved; written
+                   // by the silhouette passes
 };
 
 // What the silhouette passes say about one light.
@@ -170,7 +170,8 @@ struct ViewData {
     uint perspective;
     uint lightCount;
     vec2 pixelSize;  // in NDC
-    float emptyDepth;  // where nothing is seen: that of zfar for perspective cameras, whose projection is infinite (T12)
+    float
+        emptyDepth;  // where nothing is seen: that of zfar for perspective cameras, whose projection is infinite (T12)
     float unusedView;
 };
 
