@@ -114,7 +114,10 @@ struct Edge {
 #define LIST_EDGE_ON LIST_KINDS
 #define LIST_COUNT (2 * LIST_KINDS)
 #define HAZARD 1.52587890625e-5  // 2^-16, of the distance: closer than this to a volume's faces the eye is on them (T4)
-#define EDGE_ON_SINE 0.0078125   // of the angle between the quad's plane and the direction to its edge
+// Of the same angle: the eye is in the quad's plane, and clipping moves corners that pass it anywhere. Where z-fail
+// counts, such quads are left out: they have no area on screen and are nearer than what is seen.
+#define IN_PLANE_SINE 1e-6
+#define EDGE_ON_SINE 0.0078125  // of the angle between the quad's plane and the direction to its edge
 
 // The viewport is that much larger than the picture, about its centre: where clipping moves corners (seen millimetres
 // before a quad of a kilometre, floats miss by pixels) it does so outside.

@@ -91,10 +91,10 @@ bool onTriangle(const glm::vec3& eye, float eyeSide, const glm::vec3& n, const s
 }
 
 /// See edges.comp.glsl.
-bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
+bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b, float sine) {
     const glm::vec3 n = glm::cross(b - a, light.w == 0.0f ? glm::vec3(light) : glm::vec3(light) - a);
     const glm::vec3 e = eye.w == 0.0f ? glm::vec3(eye) : glm::vec3(eye) - a;
-    return std::abs(glm::dot(n, e)) < float(EDGE_ON_SINE) * glm::length(n) * glm::length(e);
+    return std::abs(glm::dot(n, e)) < sine * glm::length(n) * glm::length(e);
 }
 
 class CpuSilhouettes : public SilhouetteTechnique {
@@ -235,8 +235,10 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative);
             const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
             const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);
+            if (list == LIST_FAIL && eye.w != 0.0f && seenEdgeOn(eye, light, a, b, float(IN_PLANE_SINE))) continue;
             std::vector<std::uint32_t>& entries =
-                entries_[l * LIST_COUNT + list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0)];
+                entries_[l * LIST_COUNT + list +
+                         (seenEdgeOn(eye, light, a, b, float(EDGE_ON_SINE)) ? LIST_EDGE_ON : 0)];
             entries.insert(entries.end(), std::size_t(times), entry);
             ++out.hostSummaries[l].silhouetteEdges;
             if (list == LIST_FAIL && eye.w != 0.0f) continue;

@@ -35,7 +35,10 @@ protected:
 
 TEST_F(Verify, RefusesWhatItDoesNotKnow) {
     writeSequence();
-    expectUsageError({"verify"}, "inputs is required");
+    expectUsageError({"verify"}, "a sequence, a scene or --random N is required");
+    expectUsageError({"verify", "seq.yaml", "--random", "2"}, "excludes --random");
+    expectUsageError({"verify", "--seed", "4"}, "--seed requires --random");
+    expectUsageError({"verify", "--random", "0"}, "--random");
     expectUsageError({"verify", "seq.yaml", "--techniques", "z-pass"},
                      "--techniques: there is no technique \"z-pass\"");
     expectUsageError({"verify", "seq.yaml", "--others-every", "0"}, "--others-every");
@@ -45,6 +48,17 @@ TEST_F(Verify, RefusesWhatItDoesNotKnow) {
     expectUsageError({"verify", "seq.yaml", "--size", "64"}, "--size: \"64\" is not WIDTHxHEIGHT");
     expectUsageError({"verify", "seq.yaml", "--per-fram"}, "did you mean \"--per-frame\"?");
     EXPECT_THAT(umbrage({"verify", "--help"}).out, HasSubstr("one silhouette edge in 64 is lost"));
+}
+
+TEST_F(Verify, JudgesRandomScenesByAllTechniquesAndNamesTheSeedOfAWrongOne) {
+    const Result right = umbrage({"verify", "--random", "6", "--seed", "10", "--csv", "made/numbers.csv"});
+    EXPECT_EQ(right.exitCode, 0) << right.err;
+    EXPECT_THAT(right.out, HasSubstr("cpu:z-fail"));
+    EXPECT_THAT(right.out, HasSubstr("0 hard errors"));
+    const Result wrong =
+        umbrage({"verify", "--random", "6", "--seed", "10", "--fault", "wrong-facing", "--pictures", "none"});
+    EXPECT_EQ(wrong.exitCode, 1);
+    EXPECT_THAT(wrong.err, HasSubstr("again: umbrage verify --random 1 --seed "));
 }
 
 TEST_F(Verify, JudgesEveryFrameByEveryTechnique) {
