@@ -47,11 +47,18 @@ bool hazardous(vec4 eye, vec4 light, vec3 a, vec3 b) {
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0 - kMargin;
 }
 
-/// The angle between the side quad's plane and the direction to its edge is small.
-bool seenEdgeOn(vec4 eye, vec4 light, vec3 a, vec3 b, float sine) {
+/// The eye nearly in the plane of the side quad.
+bool seenEdgeOn(vec4 eye, vec4 light, vec3 a, vec3 b) {
     vec3 n = cross(b - a, light.w == 0.0 ? light.xyz : light.xyz - a);
     vec3 e = eye.w == 0.0 ? eye.xyz : eye.xyz - a;
-    return abs(dot(n, e)) < sine * length(n) * length(e);
+    return abs(dot(n, e)) < EDGE_ON_SINE * length(n) * length(e);
+}
+
+/// The eye on the way from the light through a vertex to infinity.
+bool passesEye(vec4 eye, vec4 light, vec3 p) {
+    vec3 way = light.w == 0.0 ? -light.xyz : p - light.xyz;
+    vec3 e = eye.xyz - p;
+    return eye.w != 0.0 && dot(way, e) > 0.0 && length(cross(way, e)) < IN_LINE_SINE * length(way) * length(e);
 }
 
 #if FAULT == FAULT_FACING_TWICE
@@ -121,10 +128,10 @@ void main() {
         vec4 light = lightInModel(instance, l);
         uint vertexBase = instances[instance].vertexBase;
         vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
-        if (list == LIST_FAIL && eye.w != 0.0 && seenEdgeOn(eye, light, a, b, IN_PLANE_SINE)) continue;
+        if (list == LIST_FAIL && (passesEye(eye, light, a) || passesEye(eye, light, b))) continue;
         bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
         bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
-        append(list + (seenEdgeOn(eye, light, a, b, EDGE_ON_SINE) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
+        append(list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
                isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
         if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
         if (list != LIST_FAIL || eye.w == 0.0) {

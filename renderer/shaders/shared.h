@@ -114,9 +114,10 @@ struct Edge {
 #define LIST_EDGE_ON LIST_KINDS
 #define LIST_COUNT (2 * LIST_KINDS)
 #define HAZARD 1.52587890625e-5  // 2^-16, of the distance: closer than this to a volume's faces the eye is on them (T4)
-// Of the same angle: the eye is in the quad's plane, and clipping moves corners that pass it anywhere. Where z-fail
-// counts, such quads are left out: they have no area on screen and are nearer than what is seen.
-#define IN_PLANE_SINE 1e-6
+// Of the angle between the ways from light and eye to a vertex: the vertex's way to infinity passes the eye, and
+// clipping moves it anywhere. Where z-fail counts, its quads are left out: they are seen edge-on and are nearer than
+// what is seen.
+#define IN_LINE_SINE 1e-6
 #define EDGE_ON_SINE 0.0078125  // of the angle between the quad's plane and the direction to its edge
 
 // The viewport is that much larger than the picture, about its centre: where clipping moves corners (seen millimetres

@@ -91,10 +91,17 @@ bool onTriangle(const glm::vec3& eye, float eyeSide, const glm::vec3& n, const s
 }
 
 /// See edges.comp.glsl.
-bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b, float sine) {
+bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
     const glm::vec3 n = glm::cross(b - a, light.w == 0.0f ? glm::vec3(light) : glm::vec3(light) - a);
     const glm::vec3 e = eye.w == 0.0f ? glm::vec3(eye) : glm::vec3(eye) - a;
-    return std::abs(glm::dot(n, e)) < sine * glm::length(n) * glm::length(e);
+    return std::abs(glm::dot(n, e)) < float(EDGE_ON_SINE) * glm::length(n) * glm::length(e);
+}
+
+/// See edges.comp.glsl.
+bool passesEye(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& p) {
+    const glm::vec3 way = light.w == 0.0f ? -glm::vec3(light) : p - glm::vec3(light), e = glm::vec3(eye) - p;
+    return eye.w != 0.0f && glm::dot(way, e) > 0.0f &&
+           glm::length(glm::cross(way, e)) < float(IN_LINE_SINE) * glm::length(way) * glm::length(e);
 }
 
 class CpuSilhouettes : public SilhouetteTechnique {
@@ -235,10 +242,9 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative);
             const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
             const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);
-            if (list == LIST_FAIL && eye.w != 0.0f && seenEdgeOn(eye, light, a, b, float(IN_PLANE_SINE))) continue;
+            if (list == LIST_FAIL && (passesEye(eye, light, a) || passesEye(eye, light, b))) continue;
             std::vector<std::uint32_t>& entries =
-                entries_[l * LIST_COUNT + list +
-                         (seenEdgeOn(eye, light, a, b, float(EDGE_ON_SINE)) ? LIST_EDGE_ON : 0)];
+                entries_[l * LIST_COUNT + list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0)];
             entries.insert(entries.end(), std::size_t(times), entry);
             ++out.hostSummaries[l].silhouetteEdges;
             if (list == LIST_FAIL && eye.w != 0.0f) continue;
