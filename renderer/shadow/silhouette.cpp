@@ -44,12 +44,12 @@ std::uint32_t largestList(std::span<const gpu::LightSummary> summaries) {
 
 /// With a light exactly in line with a vertex and an orthographic eye, that vertex's way to infinity is a point on
 /// screen, its direction rounding, and volumes of one caster may end at either end of the view rays. Such a caster's
-/// light is moved across the view by 2^-20 of its distance, far below what a pixel shows.
+/// light is moved across the view by 2^-18 of its distance, far below what a pixel shows.
 void moveAcrossView(const gpu::InstanceData& instance, glm::vec4& light) {
     const glm::vec3 along(instance.eyeInModel);
     const glm::vec3 across = glm::normalize(glm::cross(along, glm::vec3(0.8f, 0.53f, -0.29f) * glm::length(along)));
     const float size = std::max(glm::length(glm::vec3(light)), 1e-30f);
-    light += glm::vec4(0x1p-20f * size * across, 0.0f);
+    light += glm::vec4(0x1p-18f * size * across, 0.0f);
 }
 
 void clearSummaries(const Silhouettes& out, std::uint32_t lightCount, std::vector<gpu::LightSummary>& summaries) {
