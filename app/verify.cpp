@@ -128,10 +128,7 @@ void judge(const Sequence& sequence, const VerifyCommandOptions& options, const 
     const auto display =
         codec().displayTransform({job.color.config, job.color.display, job.color.view, job.color.exposureStops});
     VerifyOptions own = common;
-    if (own.techniques.empty()) {
-        const ShadowTechniques techniques = techniquesOf(job);
-        own.techniques = {{techniques.silhouette, techniques.count}};
-    }
+    if (own.techniques.empty()) own.techniques = {techniqueOf(job)};
     Watch watch(sequence, *display, options, report, progress);
     verify(job, context, *display, own, watch, interrupted);
 }

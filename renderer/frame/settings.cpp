@@ -15,12 +15,17 @@ glm::vec3 vec3Of(const std::array<double, 3>& v) {
 
 }  // namespace
 
-ShadowTechniques techniquesOf(const Job& job) {
+Technique techniqueOf(const Job& job) {
     // Until there is a cost model, auto is what is fastest on every device measured so far.
     const auto chosen = [](const std::string& name, const char* automatic) {
         return name == "auto" ? std::string(automatic) : name;
     };
     return {chosen(job.shadow.silhouette, "compute"), chosen(job.shadow.count, "z-pass")};
+}
+
+void choose(const Technique& technique, FrameSettings& settings) {
+    settings.silhouette = technique.silhouette;
+    settings.count = technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
 }
 
 FrameSettings settingsOf(const Job& job, const Composition& composition) {
@@ -29,9 +34,7 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     settings.height = job.image.height;
     settings.samples = job.image.samples;
     settings.shadows = job.shadow.enabled;
-    const ShadowTechniques techniques = techniquesOf(job);
-    settings.silhouette = techniques.silhouette;
-    settings.count = techniques.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
+    choose(techniqueOf(job), settings);
     settings.eyeConstant = job.shadow.eyeConstant;
     const auto skip = [&](const char* name) {
         const auto found = job.shadow.skips.find(name);

@@ -10,13 +10,17 @@
 
 namespace umbrage {
 
-/// Names of shadow techniques, as in the sequence file.
-struct ShadowTechniques {
+/// A silhouette and a count technique by their names in the sequence file; together written silhouette:count.
+struct Technique {
     std::string silhouette, count;
+
+    std::string name() const { return silhouette + ":" + count; }
 };
 
 /// The job's, with `auto` resolved.
-ShadowTechniques techniquesOf(const Job& job);
+Technique techniqueOf(const Job& job);
+
+void choose(const Technique& technique, FrameSettings& settings);
 
 FrameSettings settingsOf(const Job& job, const Composition& composition);
 

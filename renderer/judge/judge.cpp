@@ -53,6 +53,13 @@ struct Judge::Impl {
     std::vector<std::string> lightIds;
     std::vector<std::vector<std::uint8_t>> facing, reaches;  // per light and sample
     double farthest = 0.0, milliseconds = 0.0;
+    std::optional<Explainer> explainer;
+    /// Of a light's exact shadow.
+    struct Outline {
+        double lengthPixels = 0.0;
+        std::uint64_t bandPopulation = 0;
+    };
+    std::vector<Outline> outlines;
 
     /// The frame that a technique was judged at before, for toggles: per light and sample.
     struct Before {
@@ -78,10 +85,9 @@ struct Judge::Impl {
     Explainer::Sample sampleAt(std::size_t i) const { return {placeOf(i).x, placeOf(i).y, seen[i], claimed[i]}; }
 
     void findExact();
-    LightVerdict judgeLight(std::size_t l, const LightPlanes& planes, const Explainer& explainer,
-                            std::vector<SampleVerdict>& verdicts) const;
-    void judgeCounts(std::size_t l, const LightPlanes& planes, const Explainer& explainer, LightVerdict& verdict) const;
-    void judgeOutline(std::size_t l, const Explainer& explainer, LightVerdict& verdict) const;
+    Outline outlineOf(std::size_t l) const;
+    LightVerdict judgeLight(std::size_t l, const LightPlanes& planes, std::vector<SampleVerdict>& verdicts) const;
+    void judgeCounts(std::size_t l, const LightPlanes& planes, LightVerdict& verdict) const;
 };
 
 /// Stage one: what is seen at every sample, and which lights reach it.
@@ -112,17 +118,19 @@ void Judge::Impl::findExact() {
     milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-LightVerdict Judge::Impl::judgeLight(std::size_t l, const LightPlanes& planes, const Explainer& explainer,
+LightVerdict Judge::Impl::judgeLight(std::size_t l, const LightPlanes& planes,
                                      std::vector<SampleVerdict>& verdicts) const {
     LightVerdict verdict;
     verdict.light = lightIds[l];
     verdict.samplesPerPixel = int(positions.size());
+    verdict.boundaryLength = outlines[l].lengthPixels;
+    verdict.bandPopulation = outlines[l].bandPopulation;
     std::vector<SampleVerdict> perSample(seen.size(), SampleVerdict::Right);
     forRows(int(seen.size() / std::size_t(width)), threads, [&](int row) {
         for (std::size_t i = std::size_t(row) * std::size_t(width); i < std::size_t(row + 1) * std::size_t(width);
              ++i) {
             if (!judged[i] || planes.reaches[i] == reaches[l][i]) continue;
-            perSample[i] = explainer.explainMask(lights[l], sampleAt(i), planes.reaches[i] != 0);
+            perSample[i] = explainer->explainMask(lights[l], sampleAt(i), planes.reaches[i] != 0);
         }
     });
     std::vector<bool> wrong(pixelCount());
@@ -150,8 +158,7 @@ LightVerdict Judge::Impl::judgeLight(std::size_t l, const LightPlanes& planes, c
     return verdict;
 }
 
-void Judge::Impl::judgeCounts(std::size_t l, const LightPlanes& planes, const Explainer& explainer,
-                              LightVerdict& verdict) const {
+void Judge::Impl::judgeCounts(std::size_t l, const LightPlanes& planes, LightVerdict& verdict) const {
     const std::uint32_t mask = planes.countsAreWide ? ~0u : 0xffu;
     std::vector<LightVerdict> rows(static_cast<std::size_t>(height));
     forRows(height, threads, [&](int row) {
@@ -168,7 +175,7 @@ void Judge::Impl::judgeCounts(std::size_t l, const LightPlanes& planes, const Ex
             const auto error = std::uint64_t(std::abs(double(planes.counts[i] & mask) - double(exact & mask)));
             sum.largestCountError =
                 std::max(sum.largestCountError, std::min<std::uint64_t>(error, mask + 1ull - error));
-            sum.hardCountErrors += !explainer.explainsCount(
+            sum.hardCountErrors += !explainer->explainsCount(
                 lights[l], sample, [&](std::uint32_t layers) { return ((planes.counts[i] ^ layers) & mask) == 0; });
         }
     });
@@ -182,7 +189,7 @@ void Judge::Impl::judgeCounts(std::size_t l, const LightPlanes& planes, const Ex
 
 /// The outline's length (Cauchy and Crofton: pi/4 per change along rows and columns), and around it the samples on
 /// which rounding may decide.
-void Judge::Impl::judgeOutline(std::size_t l, const Explainer& explainer, LightVerdict& verdict) const {
+Judge::Impl::Outline Judge::Impl::outlineOf(std::size_t l) const {
     const std::size_t rowLength = std::size_t(width);
     std::atomic<std::uint64_t> changes{0}, population{0};
     forRows(height, threads, [&](int row) {
@@ -199,12 +206,11 @@ void Judge::Impl::judgeOutline(std::size_t l, const Explainer& explainer, LightV
                 if (row > 0) compare(i - rowLength, true);
                 if (x + 1 < rowLength) compare(i + 1, false);
                 if (row + 1 < height) compare(i + rowLength, false);
-                if (near && judged[i] && explainer.changesNearby(lights[l], sampleAt(i), reaches[l][i])) ++population;
+                if (near && judged[i] && explainer->changesNearby(lights[l], sampleAt(i), reaches[l][i])) ++population;
             }
         }
     });
-    verdict.boundaryLength = kQuarterPi * double(changes) / double(positions.size());
-    verdict.bandPopulation = population;
+    return {kQuarterPi * double(changes) / double(positions.size()), population};
 }
 
 Judge::Judge(const Scene& scene, int width, int height, const Tolerance& tolerance, int threads)
@@ -231,6 +237,9 @@ void Judge::setFrame(const Moment& moment, const PlacedCamera& camera, const Fra
         j.lightIds.push_back(light.id);
     }
     j.findExact();
+    j.explainer.emplace(j.truth.oracle(), *j.rays, j.tolerance, j.farthest);
+    j.outlines.clear();
+    for (std::size_t l = 0; l < j.lights.size(); ++l) j.outlines.push_back(j.outlineOf(l));
 }
 
 const std::vector<std::vector<std::uint8_t>>& Judge::exact() const {
@@ -243,7 +252,6 @@ double Judge::oracleMilliseconds() const {
 
 FrameVerdict Judge::judge(const FramePixels& pixels, const std::string& technique, VerdictPlanes& planes) {
     Impl& j = *impl_;
-    const Explainer explainer(j.truth.oracle(), *j.rays, j.tolerance, j.farthest);
     FrameVerdict verdict;
     planes.width = j.width;
     planes.height = j.height;
@@ -252,9 +260,8 @@ FrameVerdict Judge::judge(const FramePixels& pixels, const std::string& techniqu
     std::vector<std::vector<std::uint8_t>> masks;
     Impl::Before& before = j.before[technique];
     for (std::size_t l = 0; l < j.lights.size(); ++l) {
-        LightVerdict light = j.judgeLight(l, pixels.lights[l], explainer, planes.verdicts[l]);
-        if (!pixels.lights[l].counts.empty()) j.judgeCounts(l, pixels.lights[l], explainer, light);
-        j.judgeOutline(l, explainer, light);
+        LightVerdict light = j.judgeLight(l, pixels.lights[l], planes.verdicts[l]);
+        if (!pixels.lights[l].counts.empty()) j.judgeCounts(l, pixels.lights[l], light);
         for (std::size_t i = 0; i < j.seen.size(); ++i) {
             if (!j.reaches[l][i]) planes.exact[l][i % j.pixelCount()] = 0;
         }

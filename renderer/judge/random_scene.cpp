@@ -23,7 +23,7 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// Builds one scene. Where it is snapped, everything is a multiple of 1/4.
+/// Builds one scene. Where it is snapped, points are multiples of 1/4, but for the poles of spindles.
 class Builder {
 public:
     explicit Builder(std::uint64_t seed) : draw_(seed), snapped_(draw_.chance(50)) {}

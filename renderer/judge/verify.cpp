@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "error.h"
-#include "frame/settings.h"
 #include "judge/judge.h"
 #include "judge/random_scene.h"
 #include "scene/compose.h"
@@ -27,8 +26,7 @@ public:
           judge_(scene, settings.width, settings.height, toleranceOf(context.subPixelBits()), options.threads) {
         for (const Technique& technique : options.techniques) {
             FrameSettings own = settings;
-            own.silhouette = technique.silhouette;
-            own.count = technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
+            choose(technique, own);
             own.fault = options.fault;
             contenders_.push_back({technique.name(), std::make_unique<FrameRenderer>(scene, first, own, context)});
         }
@@ -59,9 +57,11 @@ private:
         const Clock::time_point start = Clock::now();
         FramePixels pixels = renderer.render(moment, camera, outputs, frame, unused);
         const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-        // The first technique's picture decides where alpha masks have holes; all of them draw the same surfaces.
-        if (first) judge_.setFrame(moment, camera, renderer, pixels);
-        const std::vector<float> exactRadiance = renderer.shadeAgain(judge_.exact());
+        if (first || pixels.seen.triangles != seen_) {  // techniques draw the same surfaces, unless a fault is planted
+            judge_.setFrame(moment, camera, renderer, pixels);
+            exactRadiance_ = renderer.shadeAgain(judge_.exact());
+            seen_ = pixels.seen.triangles;
+        }
         if (options_.counts) {
             FramePixels counted = renderer.render(moment, camera, counting, frame, unused);
             for (std::size_t l = 0; l < pixels.lights.size(); ++l) {
@@ -73,7 +73,7 @@ private:
         FrameVerdict verdict = judge_.judge(pixels, contender.name, planes);
         verdict.frame = frame;
         verdict.technique = contender.name;
-        verdict.radiance = compareRadiance(pixels.radiance, exactRadiance, display_);
+        verdict.radiance = compareRadiance(pixels.radiance, exactRadiance_, display_);
         verdict.renderMilliseconds = milliseconds;
         observer.judged(verdict, planes, pixels.radiance);
     }
@@ -82,6 +82,8 @@ private:
     const VerifyOptions& options_;
     Judge judge_;
     std::vector<Contender> contenders_;
+    std::vector<std::uint32_t> seen_;   // what the frame's exact answers are about
+    std::vector<float> exactRadiance_;  // the frame shaded with them
 };
 
 }  // namespace

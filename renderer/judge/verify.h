@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/frame.h"
+#include "frame/settings.h"
 #include "gpu/context.h"
 #include "image/image.h"
 #include "job/job.h"
@@ -14,14 +14,7 @@
 
 namespace umbrage {
 
-/// A pair of a silhouette and a count technique, written silhouette:count.
-struct Technique {
-    std::string silhouette, count;
-
-    std::string name() const { return silhouette + ":" + count; }
-};
-
-/// All pairs; those that claim exactness come with every frame of zero hard errors.
+/// All pairs.
 const std::vector<Technique>& allTechniques();
 
 /// "compute:z-pass,cpu:z-fail" or "all". @throws Error(Usage) that lists the names

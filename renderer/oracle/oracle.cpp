@@ -97,37 +97,37 @@ bool Oracle::turnedTo(const glm::dvec4& light, std::uint32_t seen, const Ray& ra
     return side != 0 && side == sideOfRay(t, ray);
 }
 
-std::uint32_t Oracle::hiddenBy(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {
-    const SurfacePoint point(ray, triangles_[seen].corners);
+template <class Visit>
+void Oracle::towards(const glm::dvec4& light, std::uint32_t seen, const Ray& ray, const Visit& visit) const {
+    const SurfacePoint point(ray, corners_[seen]);
     const Way way = wayTo(light, point.position(candidates_->tolerance()));
+    candidates_->along(way.ray, way.length,
+                       [&](std::uint32_t i) { return !triangles_[i].casts || visit(i, point) ? way.length : -1.0; });
+}
+
+std::uint32_t Oracle::hiddenBy(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {
     std::uint32_t found = kNothing;
-    candidates_->along(way.ray, way.length, [&](std::uint32_t i) {
-        if (i == seen || !triangles_[i].casts || !point.hiddenBy(corners_[i], light)) return way.length;
-        found = i;
-        return -1.0;
+    towards(light, seen, ray, [&](std::uint32_t i, const SurfacePoint& point) {
+        if (i != seen && point.hiddenBy(corners_[i], light)) found = i;
+        return found == kNothing;
     });
     return found;
 }
 
 std::uint32_t Oracle::layersBefore(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {
-    const SurfacePoint point(ray, triangles_[seen].corners);
-    const Way way = wayTo(light, point.position(candidates_->tolerance()));
     std::uint32_t layers = 0;
-    candidates_->along(way.ray, way.length, [&](std::uint32_t i) {
-        if (i != seen && triangles_[i].casts && point.hiddenBy(corners_[i], light)) ++layers;
-        return way.length;
+    towards(light, seen, ray, [&](std::uint32_t i, const SurfacePoint& point) {
+        layers += i != seen && point.hiddenBy(corners_[i], light);
+        return true;
     });
     return layers;
 }
 
 std::uint32_t Oracle::volumesAround(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const {
-    const SurfacePoint point(ray, triangles_[seen].corners);
-    const Way way = wayTo(light, point.position(candidates_->tolerance()));
     std::uint32_t volumes = 0;
-    candidates_->along(way.ray, way.length, [&](std::uint32_t i) {
-        volumes += triangles_[i].casts &&
-                   ((i != seen && point.hiddenBy(corners_[i], light)) || point.shadedSideOf(corners_[i], light));
-        return way.length;
+    towards(light, seen, ray, [&](std::uint32_t i, const SurfacePoint& point) {
+        volumes += (i != seen && point.hiddenBy(corners_[i], light)) || point.shadedSideOf(corners_[i], light);
+        return true;
     });
     return volumes;
 }

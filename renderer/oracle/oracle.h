@@ -77,6 +77,11 @@ public:
     std::uint32_t volumesAround(const glm::dvec4& light, std::uint32_t seen, const Ray& ray) const;
 
 private:
+    /// Calls visit(index, point) for casting triangles that may lie between the point seen and the light, until it
+    /// returns false.
+    template <class Visit>
+    void towards(const glm::dvec4& light, std::uint32_t seen, const Ray& ray, const Visit& visit) const;
+
     std::vector<Triangle> triangles_;
     std::vector<Corners> corners_;
     std::unique_ptr<Candidates> candidates_;

@@ -36,20 +36,29 @@ float sideOf(vec3 n, vec3 a, vec4 p) {
     return side;
 }
 
+/// d.(a x b) in double, rounded step by step as written, so that the host technique decides alike. `n` becomes a x b.
+double determinant3(dvec3 d, dvec3 a, dvec3 b, out dvec3 n) {
+    precise dvec3 product;
+    product.x = a.y * b.z - a.z * b.y;
+    product.y = a.z * b.x - a.x * b.z;
+    product.z = a.x * b.y - a.y * b.x;
+    n = product;
+    precise double det = d.x * product.x + d.y * product.y + d.z * product.z;
+    return det;
+}
+
+/// Whether rounding may have decided the sign of such a determinant of floats.
+bool isRounding(double det, dvec3 d, dvec3 a, dvec3 b) {
+    return abs(det) < 1e-14lf * dot(abs(d), abs(a.yzx * b.zxy) + abs(a.zxy * b.yzx));
+}
+
 /// For a light within a triangle's box, floats do not say whether it lies on the triangle, which then hides nothing from
 /// it: there the side is decided in double, whose error on floats is beyond anything that such a light can mean.
 /// @return  0 only if the light lies in the plane
 float sideOfNearLight(vec3 a, vec3 b, vec3 c, vec3 light) {
-    precise dvec3 u = dvec3(b) - dvec3(a);
-    precise dvec3 v = dvec3(c) - dvec3(a);
-    precise dvec3 d = dvec3(light) - dvec3(a);
-    precise dvec3 n;
-    n.x = u.y * v.z - u.z * v.y;
-    n.y = u.z * v.x - u.x * v.z;
-    n.z = u.x * v.y - u.y * v.x;
-    precise double side = n.x * d.x + n.y * d.y + n.z * d.z;
-    double magnitude = dot(abs(d), abs(u.yzx * v.zxy) + abs(u.zxy * v.yzx));
-    return abs(side) < 1e-14lf * magnitude ? 0.0 : (side > 0.0lf ? 1.0 : (side < 0.0lf ? -1.0 : 0.0));
+    dvec3 u = dvec3(b) - dvec3(a), v = dvec3(c) - dvec3(a), d = dvec3(light) - dvec3(a), n;
+    double side = determinant3(d, u, v, n);
+    return isRounding(side, d, u, v) ? 0.0 : float(sign(side));
 }
 
 bool inBoxOf(vec3 a, vec3 b, vec3 c, vec4 light) {
@@ -69,14 +78,10 @@ int certainSign(vec3 d, vec3 a, vec3 b) {
 /// a ray through an edge or a vertex crosses exactly one of the triangles there. Exactly antisymmetric in a and b.
 /// `undecided` is set when rounding may have decided: such a caster is counted by z-fail (T4).
 int exactSign(dvec3 d, dvec3 a, dvec3 b, inout bool undecided) {
-    precise dvec3 n;
-    n.x = a.y * b.z - a.z * b.y;
-    n.y = a.z * b.x - a.x * b.z;
-    n.z = a.x * b.y - a.y * b.x;
-    precise double det = d.x * n.x + d.y * n.y + d.z * n.z;
-    double magnitude = dot(abs(d), abs(a.yzx * b.zxy) + abs(a.zxy * b.yzx));
+    dvec3 n;
+    double det = determinant3(d, a, b, n);
     if (det != 0.0lf) {
-        undecided = undecided || abs(det) < 1e-14lf * magnitude;
+        undecided = undecided || isRounding(det, d, a, b);
         return det > 0.0lf ? 1 : -1;
     }
     if (n.x != 0.0lf) return n.x > 0.0lf ? 1 : -1;
@@ -98,9 +103,11 @@ bool crosses(vec3 origin, vec3 d, vec3 a, vec3 b, vec3 c, inout bool undecided) 
 }
 
 /// T4 for caps: with the eye on a triangle view rays begin on both sides of it, and no constant is right for all.
-bool onTriangle(vec3 eye, float eyeSide, vec3 n, vec3 a, vec3 b, vec3 c) {
+bool eyeIsOn(vec4 homogeneousEye, vec3 n, vec3 a, vec3 b, vec3 c) {
+    if (homogeneousEye.w == 0.0) return false;
+    vec3 eye = homogeneousEye.xyz;
     float near = HAZARD * max(distance(eye, a), max(distance(eye, b), distance(eye, c)));
-    return abs(eyeSide) <= near * length(n) && all(greaterThanEqual(eye, min(a, min(b, c)) - near)) &&
+    return abs(sideOf(n, a, homogeneousEye)) <= near * length(n) && all(greaterThanEqual(eye, min(a, min(b, c)) - near)) &&
            all(lessThanEqual(eye, max(a, max(b, c)) + near));
 }
 
@@ -117,7 +124,6 @@ void countEye(uint instance, uint l, uint flags, vec3 a, vec3 b, vec3 c, vec3 n,
         return;
     }
     float eyeSide = sideOf(n, a, eye);
-    if (eye.w != 0.0 && onTriangle(eye.xyz, eyeSide, n, a, b, c)) atomicOr(casters[instance].hazards, 1u << l);
     if (eyeSide == 0.0 || (eyeSide > 0.0) == (lightSide > 0.0)) return;
     vec3 origin = eye.w == 0.0 ? light.xyz : eye.xyz;
     vec3 d = eye.w == 0.0 ? eye.xyz : light.xyz - light.w * eye.xyz;
@@ -143,6 +149,7 @@ void main() {
 
     vec3 normal = faceNormal(a, b, c);
     uvec2 bits = uvec2(0u);
+    uint counted = 0u;  // lights whose shadows it casts
     uint reaching = ~casters[instance].outOfReach & (lightCount == 32u ? ~0u : (1u << lightCount) - 1u);
     for (; reaching != 0u; reaching &= reaching - 1u) {
         uint l = uint(findLSB(reaching));
@@ -164,7 +171,12 @@ void main() {
         }
         if ((flags & TRIANGLE_CASTS) == 0u) continue;
         if (countLit != 0u && side > 0.0) atomicAdd(summaries[l].litTriangles, 1u);
+        counted |= bit;
         countEye(instance, l, flags, a, b, c, normal, light, side);
+    }
+    counted &= ~casters[instance].countedByFail;  // which needs no constant
+    if (counted != 0u && eyeIsOn(instances[instance].eyeInModel, normal, a, b, c)) {
+        atomicOr(casters[instance].hazards, counted);
     }
 #if FAULT == FAULT_WRONG_FACING
     if (triangle % 64u == 7u) bits = bits.yx;

@@ -144,8 +144,7 @@ struct CasterState {
     uint missing;        // some of it is nearer than what is seen there: culled, or before the near plane (T1)
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
     uint inLine;         // bits of lights in line with its silhouette and an orthographic eye; as hazards
-    uint lightOn;  // bits of lights that lie on one of its triangles, which then has no weight: not halved; written
-                   // by the silhouette passes
+    uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight; as hazards
 };
 
 // What the silhouette passes say about one light.
@@ -173,9 +172,8 @@ struct ViewData {
     float znear, zfar;  // zfar 0: infinite
     uint perspective;
     uint lightCount;
-    vec2 pixelSize;  // in NDC
-    float
-        emptyDepth;  // where nothing is seen: that of zfar for perspective cameras, whose projection is infinite (T12)
+    vec2 pixelSize;    // in NDC
+    float emptyDepth;  // where nothing is seen: 0, or that of a perspective camera's zfar (T12)
     float unusedView;
 };
 

@@ -82,7 +82,7 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         technique.sweep(geometry, group, options, out);
 
         const std::uint32_t needed = largestList(out.hostSummaries);
-        bool again = needed > out.capacity;
+        bool again = needed > out.capacity, lightsMoved = false;
         if (again) out.capacity = needed + needed / 4;
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];
@@ -92,10 +92,9 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
                     moveAcrossView(geometry.instances()[i],
                                    out.hostLightsInModel[i * out.totalLights + group.first + l]);
                 }
-                out.lightsInModel.write(std::span<const glm::vec4>(out.hostLightsInModel));
                 moved[i] |= found;
                 caster.hazards &= ~found;  // of the light where it was
-                again = true;
+                lightsMoved = true;
             }
             const std::uint32_t found = caster.hazards & ~changed[i];
             again = again || found != 0 || caster.lightOn != lightOn[i];
@@ -104,7 +103,8 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
             caster.hazards = caster.inLine = 0;
             changed[i] |= found;
         }
-        if (!again) return;
+        if (lightsMoved) out.lightsInModel.write(std::span<const glm::vec4>(out.hostLightsInModel));
+        if (!again && !lightsMoved) return;
     }
 }
 

@@ -64,8 +64,9 @@ std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view na
 /// Lights into every instance's model space, in double and rounded once (docs/rules.md, G3).
 void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out);
 
-/// Sweeps until every list fits and no caster is counted from within the hazard zone of its volumes (T4): one that is
-/// changes to the other count, once (z-fail has a zone only with an orthographic eye). Results are read back.
+/// Sweeps until every list fits, casters on which a light lies are counted whole, and none is counted from within the
+/// hazard zone of its volumes (T4): one that is changes to the other count, once (z-fail has a zone only with an
+/// orthographic eye, and there the light is moved for that caster first). Results are read back.
 /// @param countedByFail  bits of the group's lights whose casters are counted by z-fail, hazards apart
 void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, const LightGroup& group,
                      std::uint32_t countedByFail, const SweepOptions& options, Silhouettes& out);

@@ -11,14 +11,24 @@
 namespace umbrage {
 namespace {
 
+/// d.(a x b); see determinant3() in facing.comp.glsl.
+double determinant3(const glm::dvec3& d, const glm::dvec3& a, const glm::dvec3& b, glm::dvec3& n) {
+    n = glm::cross(a, b);
+    return d.x * n.x + d.y * n.y + d.z * n.z;
+}
+
+bool isRounding(double det, const glm::dvec3& d, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 sizes(std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
+                           std::abs(a.x * b.y) + std::abs(a.y * b.x));
+    return std::abs(det) < 1e-14 * glm::dot(glm::abs(d), sizes);
+}
+
 /// Sign of det[d, a, b]; see exactSign() in facing.comp.glsl.
 int exactSign(const glm::dvec3& d, const glm::dvec3& a, const glm::dvec3& b, bool& undecided) {
-    const glm::dvec3 n = glm::cross(a, b);
-    const double det = d.x * n.x + d.y * n.y + d.z * n.z;
+    glm::dvec3 n;
+    const double det = determinant3(d, a, b, n);
     if (det != 0.0) {
-        const glm::dvec3 sizes(std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
-                               std::abs(a.x * b.y) + std::abs(a.y * b.x));
-        if (std::abs(det) < 1e-14 * glm::dot(glm::abs(d), sizes)) undecided = true;
+        undecided = undecided || isRounding(det, d, a, b);
         return det > 0.0 ? 1 : -1;
     }
     for (int i = 0; i < 3; ++i) {
@@ -42,12 +52,10 @@ float sideOf(const glm::vec3& n, const glm::vec3& a, const glm::vec4& p) {
 
 /// See facing.comp.glsl.
 float sideOfNearLight(const std::array<glm::vec3, 3>& t, const glm::dvec3& light) {
-    const glm::dvec3 a(t[0]), u = glm::dvec3(t[1]) - a, v = glm::dvec3(t[2]) - a, d = light - a, n = glm::cross(u, v);
-    const double side = n.x * d.x + n.y * d.y + n.z * d.z;
-    const glm::dvec3 sizes(std::abs(u.y * v.z) + std::abs(u.z * v.y), std::abs(u.z * v.x) + std::abs(u.x * v.z),
-                           std::abs(u.x * v.y) + std::abs(u.y * v.x));
-    if (std::abs(side) < 1e-14 * glm::dot(glm::abs(d), sizes)) return 0.0f;
-    return side > 0.0 ? 1.0f : side < 0.0 ? -1.0f : 0.0f;
+    const glm::dvec3 a(t[0]), u = glm::dvec3(t[1]) - a, v = glm::dvec3(t[2]) - a, d = light - a;
+    glm::dvec3 n;
+    const double side = determinant3(d, u, v, n);
+    return isRounding(side, d, u, v) ? 0.0f : float(glm::sign(side));
 }
 
 bool inBoxOf(const std::array<glm::vec3, 3>& t, const glm::vec4& light) {
@@ -81,13 +89,15 @@ bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a,
 }
 
 /// T4 for caps; see facing.comp.glsl.
-bool onTriangle(const glm::vec3& eye, float eyeSide, const glm::vec3& n, const std::array<glm::vec3, 3>& t) {
+bool eyeIsOn(const glm::vec4& homogeneousEye, const glm::vec3& n, const std::array<glm::vec3, 3>& t) {
+    if (homogeneousEye.w == 0.0f) return false;
+    const glm::vec3 eye(homogeneousEye);
     const float near =
         float(HAZARD) * std::max({glm::distance(eye, t[0]), glm::distance(eye, t[1]), glm::distance(eye, t[2])});
     const glm::vec3 low = glm::min(t[0], glm::min(t[1], t[2])) - near;
     const glm::vec3 high = glm::max(t[0], glm::max(t[1], t[2])) + near;
-    return std::abs(eyeSide) <= near * glm::length(n) && glm::all(glm::greaterThanEqual(eye, low)) &&
-           glm::all(glm::lessThanEqual(eye, high));
+    return std::abs(sideOf(n, t[0], homogeneousEye)) <= near * glm::length(n) &&
+           glm::all(glm::greaterThanEqual(eye, low)) && glm::all(glm::lessThanEqual(eye, high));
 }
 
 /// See edges.comp.glsl.
@@ -154,6 +164,7 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
     // A chunk at a time in structures of arrays, so that the compiler makes SIMD of the inner loop.
     std::array<float, CHUNK_SIZE> ax, ay, az, nx, ny, nz, side;
     std::array<std::array<glm::vec3, 3>, CHUNK_SIZE> corners;
+    std::array<bool, CHUNK_SIZE> underEye;
     for (std::uint32_t first = 0; first < instance.triangleCount; first += CHUNK_SIZE) {
         const std::uint32_t count = std::min<std::uint32_t>(CHUNK_SIZE, instance.triangleCount - first);
         for (std::uint32_t k = 0; k < count; ++k) {
@@ -165,6 +176,7 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
             ny[k] = u.z * v.x - u.x * v.z;
             nz[k] = u.x * v.y - u.y * v.x;
             const glm::vec3 n(nx[k], ny[k], nz[k]);
+            underEye[k] = eyeIsOn(instance.eyeInModel, n, corners[k]);
             glm::vec3 normal, inView;
             for (int r = 0; r < 3; ++r) {
                 normal[r] = glm::dot(glm::vec3(instance.normalFromModel[r]), n);
@@ -195,6 +207,7 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
                 if (!(flags & TRIANGLE_CASTS) || !(front || back)) continue;
                 summary.litTriangles += front;
                 const std::uint32_t list = listOf(instance, out.hostCasters[i], l, flags & TRIANGLE_EVEN);
+                if (underEye[k] && list != LIST_FAIL) out.hostCasters[i].hazards |= 1u << l;
                 countEye(instance, light, side[k], corners[k], {nx[k], ny[k], nz[k]}, list, l, summary,
                          out.hostCasters[i]);
             }
@@ -210,7 +223,6 @@ void CpuSilhouettes::countEye(const gpu::InstanceData& instance, const glm::vec4
     if (orthographic ? light.w == 0.0f : list == LIST_FAIL) return;
     if (orthographic && list == LIST_FAIL) eye = -eye;
     const float eyeSide = sideOf(n, v[0], eye);
-    if (!orthographic && onTriangle(glm::vec3(eye), eyeSide, n, v)) caster.hazards |= 1u << l;
     if (eyeSide == 0.0f || (eyeSide > 0.0f) == (lightSide > 0.0f)) return;
     const glm::dvec3 e(eye), p(light);
     bool undecided = false;
