@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light and dark caps of shadow volumes, for the cases in which they count (T1):
-//   CAP_TRUE  at their own depth: triangles that may be missing from the depth buffer where they are nearest
-//   CAP_FAR   all others at infinite depth, where they always fail, whatever rounding does (z-fail)
-//   CAP_DARK  the projection to infinity (z-fail)
+//   CAP_TRUE     at their own depth: triangles that may be missing from the depth buffer where they are nearest
+//   CAP_EDGE_ON  those of them that are seen nearly edge-on (see count.frag.glsl)
+//   CAP_FAR      all others at infinite depth, where they always fail, whatever rounding does (z-fail)
+//   CAP_DARK     the projection to infinity (z-fail)
+// variant: EDGE_ON 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#include "geometry.glsl"
-#include "view.glsl"
+#include "corners.glsl"
 
 layout(std430, binding = BIND_TRIANGLE_FLAGS) readonly buffer TriangleFlags { uint triangleFlags[]; };
 layout(std430, binding = BIND_TRIANGLE_CHUNKS) readonly buffer TriangleChunks { uint triangleChunks[]; };
 layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { vec4 lightsInModel[]; };
 layout(std430, binding = BIND_FACING) readonly buffer Facing { uvec2 facing[]; };
 layout(std430, binding = BIND_CASTERS) readonly buffer Casters { CasterState casters[]; };
+layout(std430, binding = BIND_PLANES) readonly buffer Planes { vec4 planes[]; };
 
 layout(location = 0) uniform uint lightIndex;
 layout(location = 1) uniform uint totalLights;
@@ -30,6 +32,18 @@ bool inDepthBuffer(uint instance, uint flags) {
     return (flags & TRIANGLE_HOLED) == 0u && casters[instance].missing == 0u;
 }
 
+bool seenEdgeOn(uint placed, vec3 corner) {
+    vec4 plane = planes[placed];
+    return abs(view.perspective != 0u ? plane.w : plane.z) < EDGE_ON_SINE * (view.perspective != 0u ? length(corner) : 1.0);
+}
+
+/// Whether this draw is for the triangle, whose corner is given in view space.
+bool isWanted(uint instance, uint placed, uint flags, vec3 corner) {
+    if (cap == CAP_DARK) return true;
+    if (inDepthBuffer(instance, flags)) return cap == CAP_FAR;
+    return cap == (seenEdgeOn(placed, corner) ? CAP_EDGE_ON : CAP_TRUE);
+}
+
 void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside: dropped
     uint placed = uint(gl_VertexID) / 3u;
@@ -43,17 +57,20 @@ void main() {
     bool fails = (casters[instance].countedByFail & lightBit) != 0u;
     if (!counted || fails != (byFail != 0u)) return;
 
-    bool visible = cap == CAP_DARK || inDepthBuffer(instance, flags) == (cap == CAP_FAR);
-    if (!visible) return;
+    uvec3 vertices = triangleVertices(instance, triangle);
+    if (!isWanted(instance, placed, flags, viewFromModel(instance, vec4(positionOf(vertices.x), 1.0)))) return;
     bool flip = (side.y != 0u) != ((instances[instance].flags & INSTANCE_MIRRORED) != 0u);  // outward is (a, c, b)
     if (flip != (cap == CAP_DARK)) corner = 2u - corner;
-    vec3 p = positionOf(triangleVertices(instance, triangle)[corner]);
+    vec3 p = positionOf(vertices[corner]);
     if (cap == CAP_DARK) {
-        vec4 light = lightsInModel[instance * totalLights + lightIndex];
-        precise vec3 direction = p * light.w - light.xyz;
-        gl_Position = clipFromView(viewFromModel(instance, vec4(direction, 0.0)), 0.0);
+        gl_Position = farCorner(instance, p, lightsInModel[instance * totalLights + lightIndex]);
         return;
     }
-    gl_Position = clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0);
+    gl_Position = nearCorner(instance, p);
+#ifdef EDGE_ON
+    nearA = nearCorner(instance, positionOf(vertices.x));
+    nearB = nearCorner(instance, positionOf(vertices.y));
+    farA = farB = nearCorner(instance, positionOf(vertices.z));
+#endif
     if (cap == CAP_FAR) gl_Position.z = 0.0;
 }

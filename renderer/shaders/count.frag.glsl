@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // One for every fragment, to be added up: signed as the crossing it is (T6: wide counters), or as a tally (overdraw).
 //
-// With EDGE_ON, for side quads that are seen nearly edge-on: a sliver on screen, snapped to the rasteriser's grid, covers
-// pixels whose centres the true quad misses, and there interpolation carries its steep depth far beyond its own range,
-// to the wrong side of what is seen (found as single wrong pixels with the eye exactly in a quad's plane, where neither
-// z-pass nor z-fail helps). So the depth is held between those of the quad's own borders at this place.
+// With EDGE_ON, for side quads and caps that are seen nearly edge-on: a sliver on screen, snapped to the rasteriser's
+// grid, covers pixels whose centres the true polygon misses, and there interpolation carries its steep depth far beyond
+// its own range, to the wrong side of what is seen (found as single wrong pixels with the eye exactly in the plane, where
+// neither z-pass nor z-fail helps). So the depth is held between those of the polygon's own borders at this place.
 // variant: SIGNED 1
 // variant: EDGE_ON 1
 // variant: STENCIL_ONLY 1
@@ -18,7 +18,7 @@ layout(location = 1) flat in vec4 farA;
 layout(location = 2) flat in vec4 nearB;
 layout(location = 3) flat in vec4 farB;
 
-/// Where a border p + t q (0 <= t <= last) of the quad crosses the pixel's coordinate along `axis`: widens `range` by the
+/// Where a border p + t q (0 <= t <= last) crosses the pixel's coordinate along `axis`: widens `range` by the
 /// depth there.
 void crossBorder(inout vec2 range, inout int crossings, vec4 p, vec4 q, float last, vec2 ndc, int axis) {
     float t = (ndc[axis] * p.w - p[axis]) / (q[axis] - ndc[axis] * q.w);
@@ -39,8 +39,10 @@ void holdDepth() {
     crossBorder(range, crossings, nearB, farB, 1e30, ndc, axis);
     crossBorder(range, crossings, nearA, nearB - nearA, 1.0, ndc, axis);
     crossBorder(range, crossings, farA, farB - farA, 1.0, ndc, axis);
-    // Between two borders lies all of the quad at this coordinate; with fewer it runs out of the picture.
-    gl_FragDepth = crossings >= 2 ? clamp(gl_FragCoord.z, range.x, range.y) : gl_FragCoord.z;
+    // Between two borders lies all of the polygon at this coordinate. With one it goes on to the eye's plane, or for an
+    // orthographic eye to infinity.
+    if (crossings == 1) range = view.perspective != 0u ? vec2(range.x, 1.0) : vec2(0.0, 1.0);
+    gl_FragDepth = crossings > 0 ? clamp(gl_FragCoord.z, range.x, range.y) : gl_FragCoord.z;
 }
 #else
 layout(early_fragment_tests) in;

@@ -20,11 +20,11 @@ layout(location = 1) uniform uint facingBase;
 layout(location = 6) uniform uint capacity;
 layout(location = 7) uniform uint halve;
 
-/// T4: the point that the count starts from (the eye, or for an orthographic eye an end of the view rays, w = 0) so
-/// close to the plane of the side quad, and within its wedge, that the rasteriser and the eye constant may disagree
-/// about which side it is on. The wedge is widened by 2^-6 in its own coordinates; outside it the quad is seen edge-on
-/// and covers nothing to disagree about.
-bool hazardous(vec4 eye, vec4 light, vec3 a, vec3 b) {
+/// Whether an end of the view rays (the eye, or for an orthographic eye a direction, w = 0) is closer to the plane of the
+/// side quad than `sine` of their distance, and within its wedge. The wedge is widened by 2^-6 in its own coordinates;
+/// outside it the quad is seen edge-on and covers nothing.
+/// T4: there the rasteriser and the eye constant may disagree about the side on which the count starts.
+bool nearlyOn(vec4 eye, vec4 light, vec3 a, vec3 b, float sine) {
     if (eye.w == 0.0 && light.w == 0.0) return false;  // such counts have no constant
     vec3 e = eye.w == 0.0 ? eye.xyz : (light.w == 0.0 ? eye.xyz - a : eye.xyz - light.xyz);
     vec3 u = light.w == 0.0 ? b - a : a - light.xyz;
@@ -32,8 +32,7 @@ bool hazardous(vec4 eye, vec4 light, vec3 a, vec3 b) {
     vec3 n = cross(u, v);
     float size = length(n);
     float scale = eye.w == 0.0 ? length(e) : max(length(e), max(distance(eye.xyz, a), distance(eye.xyz, b)));
-    if (abs(dot(n, e)) >= HAZARD * scale * size) return false;
-    if (size == 0.0) return true;
+    if (abs(dot(n, e)) >= sine * scale * size) return false;
     const float kMargin = 0.015625;
     float alongU = dot(cross(e, v), n) / (size * size);  // e = alongU u + alongV v
     float alongV = dot(cross(u, e), n) / (size * size);
@@ -41,7 +40,7 @@ bool hazardous(vec4 eye, vec4 light, vec3 a, vec3 b) {
         return alongU * length(u) > -kMargin * scale && alongV * length(v) > -kMargin * scale;
     }
     if (light.w == 0.0) {
-        return alongU > -kMargin && alongU < 1.0 + kMargin && 
+        return alongU > -kMargin && alongU < 1.0 + kMargin &&
                alongV * length(v) > -kMargin * (length(u) + length(e));
     }
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0 - kMargin;
@@ -52,13 +51,6 @@ bool seenEdgeOn(vec4 eye, vec4 light, vec3 a, vec3 b) {
     vec3 n = cross(b - a, light.w == 0.0 ? light.xyz : light.xyz - a);
     vec3 e = eye.w == 0.0 ? eye.xyz : eye.xyz - a;
     return abs(dot(n, e)) < EDGE_ON_SINE * length(n) * length(e);
-}
-
-/// The eye on the way from the light through a vertex to infinity.
-bool passesEye(vec4 eye, vec4 light, vec3 p) {
-    vec3 way = light.w == 0.0 ? -light.xyz : p - light.xyz;
-    vec3 e = eye.xyz - p;
-    return eye.w != 0.0 && dot(way, e) > 0.0 && length(cross(way, e)) < IN_LINE_SINE * length(way) * length(e);
 }
 
 #if FAULT == FAULT_FACING_TWICE
@@ -128,17 +120,18 @@ void main() {
         vec4 light = lightInModel(instance, l);
         uint vertexBase = instances[instance].vertexBase;
         vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
-        if (list == LIST_FAIL && (passesEye(eye, light, a) || passesEye(eye, light, b))) continue;
+        bool orthographic = eye.w == 0.0, fail = list == LIST_FAIL;
+        // With the end of the view rays in its plane the quad is seen edge-on and covers nothing, but passes through
+        // the one point without a place on screen (x = y = w = 0), where clippers go astray.
+        vec4 end = fail ? eye : -eye;
+        if ((fail || orthographic) && nearlyOn(end, light, a, b, IN_LINE_SINE)) continue;
         bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
         bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
         append(list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
                isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
         if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
-        if (list != LIST_FAIL || eye.w == 0.0) {
-            vec4 start = list == LIST_FAIL ? -eye : eye;
-            bool hazard = hazardous(start, light, a, b);
-            if (hazard) atomicOr(casters[instance].hazards, 1u << l);
-            if (eye.w == 0.0 && (hazard || hazardous(-start, light, a, b))) atomicOr(casters[instance].inLine, 1u << l);
+        if ((orthographic || !fail) && nearlyOn(fail ? -eye : eye, light, a, b, HAZARD)) {
+            atomicOr(casters[instance].hazards, 1u << l);
         }
     }
 }

@@ -4,8 +4,7 @@
 // variant: EDGE_ON 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#include "geometry.glsl"
-#include "view.glsl"
+#include "corners.glsl"
 
 layout(std430, binding = BIND_EDGES) readonly buffer Edges { Edge edges[]; };
 layout(std430, binding = BIND_EDGE_CHUNKS) readonly buffer EdgeChunks { uint edgeChunks[]; };
@@ -14,21 +13,6 @@ layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { v
 
 layout(location = 0) uniform uint lightIndex;
 layout(location = 1) uniform uint totalLights;
-
-#ifdef EDGE_ON
-// The quad's two lateral lines, near + t far for t >= 0, in clip space; the same for all corners.
-layout(location = 0) flat out vec4 nearA;
-layout(location = 1) flat out vec4 farA;
-layout(location = 2) flat out vec4 nearB;
-layout(location = 3) flat out vec4 farB;
-#endif
-
-vec4 nearCorner(uint instance, vec3 p) { return clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0); }
-
-vec4 farCorner(uint instance, vec3 p, vec4 light) {
-    precise vec3 direction = p * light.w - light.xyz;
-    return clipFromView(viewFromModel(instance, vec4(direction, 0.0)), 0.0);
-}
 
 void main() {
     uint entry = quads[uint(gl_VertexID) >> 2u];

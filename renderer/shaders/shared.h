@@ -114,11 +114,9 @@ struct Edge {
 #define LIST_EDGE_ON LIST_KINDS
 #define LIST_COUNT (2 * LIST_KINDS)
 #define HAZARD 1.52587890625e-5  // 2^-16, of the distance: closer than this to a volume's faces the eye is on them (T4)
-// Of the angle between the ways from light and eye to a vertex: the vertex's way to infinity passes the eye, and
-// clipping moves it anywhere. Where z-fail counts, its quads are left out: they are seen edge-on and are nearer than
-// what is seen.
-#define IN_LINE_SINE 1e-6
-#define EDGE_ON_SINE 0.0078125  // of the angle between the quad's plane and the direction to its edge
+#define IN_LINE_SINE 1e-6        // as HAZARD, of the end of the view rays that a count does not start from
+#define EDGE_ON_SINE \
+    0.0078125  // of the angle between the plane of a quad or cap and the direction to one of its corners
 
 // The viewport is that much larger than the picture, about its centre: where clipping moves corners (seen millimetres
 // before a quad of a kilometre, floats miss by pixels) it does so outside.
@@ -129,8 +127,9 @@ struct Edge {
 
 // Kinds of caps, see cap.vert.glsl.
 #define CAP_TRUE 0
-#define CAP_FAR 1
-#define CAP_DARK 2
+#define CAP_EDGE_ON 1
+#define CAP_FAR 2
+#define CAP_DARK 3
 
 // A command of glDrawElementsIndirect.
 struct DrawCommand {
@@ -143,7 +142,6 @@ struct CasterState {
     uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
     uint missing;        // some of it is nearer than what is seen there: culled, or before the near plane (T1)
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
-    uint inLine;         // bits of lights in line with its silhouette and an orthographic eye; as hazards
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight; as hazards
 };
 

@@ -78,9 +78,11 @@ std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGro
     };
     CountPlan whole;
     if (!parallelToView) addSides(whole, LIST_WHOLE, Rule::Pass, summary);
-    addCap(whole, CAP_TRUE, Rule::Pass, silhouettes, l, notInDepthBuffer);
+    for (const std::uint32_t cap : {CAP_TRUE, CAP_EDGE_ON}) {
+        addCap(whole, cap, Rule::Pass, silhouettes, l, notInDepthBuffer);
+        addCap(whole, cap, Rule::Fail, silhouettes, l, notInDepthBuffer);
+    }
     addSides(whole, LIST_FAIL, Rule::Fail, summary);
-    addCap(whole, CAP_TRUE, Rule::Fail, silhouettes, l, notInDepthBuffer);
     addCap(whole, CAP_FAR, Rule::Fail, silhouettes, l, [](std::uint32_t) { return true; });
     // All ends of a directional light's volumes meet in one point, and an orthographic eye sees no point at infinity.
     const bool positional = silhouettes.hostLightsInModel[group.first + l].w != 0.0f;
@@ -105,13 +107,18 @@ VolumeRenderer::VolumeRenderer()
                    gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1", "SIGNED 1"}),
                    gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1"})},
       caps_{gpu::Program("cap.vert"), gpu::Program("cap.vert", "count.frag", {"SIGNED 1"}),
-            gpu::Program("cap.vert", "count.frag")} {}
+            gpu::Program("cap.vert", "count.frag")},
+      edgeOnCaps_{gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "STENCIL_ONLY 1"}),
+                  gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "SIGNED 1"}),
+                  gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1"})} {}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
     gpu::RasterState state = rasterState(part, into);
-    const bool edgeOn = part.kind == Kind::Sides && part.what >= LIST_EDGE_ON;
-    const gpu::Program& program = (part.kind == Kind::Cap ? caps_ : edgeOn ? edgeOnSides_ : sides_).of(into);
+    const bool cap = part.kind == Kind::Cap, edgeOn = cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
+    state.everySample = edgeOn;  // a depth of its own for each sample
+    const Programs& programs = cap ? (edgeOn ? edgeOnCaps_ : caps_) : (edgeOn ? edgeOnSides_ : sides_);
+    const gpu::Program& program = programs.of(into);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
     if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);
@@ -119,12 +126,11 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     silhouettes.bind();
     vertexArray_.bind();
     program.use();
-    if (part.kind == Kind::Sides) {
-        state.everySample = edgeOn;  // a depth of its own for each sample
+    if (cap) {
+        drawCap(part, program, state, geometry, silhouettes, group, l);
+    } else {
         gpu::apply(state);
         drawSides(part, silhouettes, l);
-    } else {
-        drawCap(part, program, state, geometry, silhouettes, group, l);
     }
 }
 
@@ -155,7 +161,7 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
     program.uniform(5, GLuint(part.rule == Rule::Fail));
     // What lies in the plane of what is seen (the surface itself, a coincident face that is culled) hides nothing, so a
     // cap at its own depth must not be nearer by rounding. Before the near plane its depth is clamped: nearer than all.
-    state.pushedBack = part.what == CAP_TRUE;
+    state.pushedBack = part.what == CAP_TRUE || part.what == CAP_EDGE_ON;
     // Neighbouring instances make one range: the vertex shader drops the padding between them.
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;

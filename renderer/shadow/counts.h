@@ -78,7 +78,7 @@ private:
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
-    Programs sides_, edgeOnSides_, caps_;
+    Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
     gpu::VertexArray vertexArray_{"volumes"};
     gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
 };

@@ -42,9 +42,9 @@ std::uint32_t largestList(std::span<const gpu::LightSummary> summaries) {
     return quads;
 }
 
-/// With a light exactly in line with a vertex and an orthographic eye, that vertex's way to infinity is a point on
-/// screen, its direction rounding, and volumes of one caster may end at either end of the view rays. Such a caster's
-/// light is moved across the view by 2^-18 of its distance, far below what a pixel shows.
+/// With an orthographic eye in line with the light and two places of a caster's silhouette, on either side of the
+/// light, volumes end at both ends of the view rays, and neither count has a constant. For such a caster the light is
+/// moved across the view by 2^-18 of its distance, far below what a pixel shows.
 void moveAcrossView(const gpu::InstanceData& instance, glm::vec4& light) {
     const glm::vec3 along(instance.eyeInModel);
     const glm::vec3 across = glm::normalize(glm::cross(along, glm::vec3(0.8f, 0.53f, -0.29f) * glm::length(along)));
@@ -68,7 +68,7 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
                      std::uint32_t countedByFail, const SweepOptions& options, Silhouettes& out) {
     for (gpu::CasterState& caster : out.hostCasters) {
         caster.countedByFail = countedByFail;
-        caster.hazards = caster.inLine = caster.lightOn = 0;
+        caster.hazards = caster.lightOn = 0;
     }
     // Bits of lights whose count was changed already, and of those known to lie on a caster.
     std::vector<std::uint32_t> changed(out.hostCasters.size()), lightOn(out.hostCasters.size());
@@ -86,21 +86,20 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         if (again) out.capacity = needed + needed / 4;
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];
-            if (const std::uint32_t found = caster.inLine & ~moved[i]; found != 0) {
+            if (const std::uint32_t found = caster.hazards & changed[i] & ~moved[i]; found != 0) {
                 for (std::uint32_t l = 0; l < group.count; ++l) {
                     if (!(found >> l & 1u)) continue;
                     moveAcrossView(geometry.instances()[i],
                                    out.hostLightsInModel[i * out.totalLights + group.first + l]);
                 }
                 moved[i] |= found;
-                caster.hazards &= ~found;  // of the light where it was
                 lightsMoved = true;
             }
             const std::uint32_t found = caster.hazards & ~changed[i];
             again = again || found != 0 || caster.lightOn != lightOn[i];
             lightOn[i] = caster.lightOn;
             caster.countedByFail ^= found;
-            caster.hazards = caster.inLine = 0;
+            caster.hazards = 0;
             changed[i] |= found;
         }
         if (lightsMoved) out.lightsInModel.write(std::span<const glm::vec4>(out.hostLightsInModel));

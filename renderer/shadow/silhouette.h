@@ -65,8 +65,8 @@ std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view na
 void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out);
 
 /// Sweeps until every list fits, casters on which a light lies are counted whole, and none is counted from within the
-/// hazard zone of its volumes (T4): one that is changes to the other count, once (z-fail has a zone only with an
-/// orthographic eye, and there the light is moved for that caster first). Results are read back.
+/// hazard zone of its volumes (T4): one that is changes to the other count, and if that is no safer (which only happens
+/// with an orthographic eye) its light is moved a little. Results are read back.
 /// @param countedByFail  bits of the group's lights whose casters are counted by z-fail, hazards apart
 void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, const LightGroup& group,
                      std::uint32_t countedByFail, const SweepOptions& options, Silhouettes& out);

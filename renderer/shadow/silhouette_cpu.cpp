@@ -64,7 +64,7 @@ bool inBoxOf(const std::array<glm::vec3, 3>& t, const glm::vec4& light) {
 }
 
 /// T4; see edges.comp.glsl.
-bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
+bool nearlyOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b, float sine) {
     if (eye.w == 0.0f && light.w == 0.0f) return false;
     const glm::vec3 l(light), p(eye);
     const glm::vec3 e = eye.w == 0.0f ? p : light.w == 0.0f ? p - a : p - l;
@@ -73,8 +73,7 @@ bool hazardous(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a,
     const float size = glm::length(n);
     const float scale =
         eye.w == 0.0f ? glm::length(e) : std::max({glm::length(e), glm::distance(p, a), glm::distance(p, b)});
-    if (std::abs(glm::dot(n, e)) >= float(HAZARD) * scale * size) return false;
-    if (size == 0.0f) return true;
+    if (std::abs(glm::dot(n, e)) >= sine * scale * size) return false;
     constexpr float kMargin = 0x1p-6f;
     const float alongU = glm::dot(glm::cross(e, v), n) / (size * size);
     const float alongV = glm::dot(glm::cross(u, e), n) / (size * size);
@@ -105,13 +104,6 @@ bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a
     const glm::vec3 n = glm::cross(b - a, light.w == 0.0f ? glm::vec3(light) : glm::vec3(light) - a);
     const glm::vec3 e = eye.w == 0.0f ? glm::vec3(eye) : glm::vec3(eye) - a;
     return std::abs(glm::dot(n, e)) < float(EDGE_ON_SINE) * glm::length(n) * glm::length(e);
-}
-
-/// See edges.comp.glsl.
-bool passesEye(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& p) {
-    const glm::vec3 way = light.w == 0.0f ? -glm::vec3(light) : p - glm::vec3(light), e = glm::vec3(eye) - p;
-    return eye.w != 0.0f && glm::dot(way, e) > 0.0f &&
-           glm::length(glm::cross(way, e)) < float(IN_LINE_SINE) * glm::length(way) * glm::length(e);
 }
 
 class CpuSilhouettes : public SilhouetteTechnique {
@@ -254,16 +246,16 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative);
             const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
             const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);
-            if (list == LIST_FAIL && (passesEye(eye, light, a) || passesEye(eye, light, b))) continue;
+            const bool orthographic = eye.w == 0.0f, fail = list == LIST_FAIL;
+            const glm::vec4 end = fail ? eye : -eye;
+            if ((fail || orthographic) && nearlyOn(end, light, a, b, float(IN_LINE_SINE))) continue;
             std::vector<std::uint32_t>& entries =
                 entries_[l * LIST_COUNT + list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0)];
             entries.insert(entries.end(), std::size_t(times), entry);
             ++out.hostSummaries[l].silhouetteEdges;
-            if (list == LIST_FAIL && eye.w != 0.0f) continue;
-            const glm::vec4 start = list == LIST_FAIL ? -eye : eye;
-            const bool hazard = hazardous(start, light, a, b);
-            if (hazard) out.hostCasters[i].hazards |= 1u << l;
-            if (eye.w == 0.0f && (hazard || hazardous(-start, light, a, b))) out.hostCasters[i].inLine |= 1u << l;
+            if ((orthographic || !fail) && nearlyOn(fail ? -eye : eye, light, a, b, float(HAZARD))) {
+                out.hostCasters[i].hazards |= 1u << l;
+            }
         }
     }
 }
