@@ -50,6 +50,22 @@ TEST(Rooms, IncludeOnlyRoomsBelow) {
     EXPECT_GT(includes, 100u);
 }
 
+/// What judges the renderer shares no code with it (docs/exactness.md).
+TEST(Rooms, OnlyTheJudgeKnowsTheOracle) {
+    for (const char* room : {"shadow", "shading", "frame"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(fs::path(UMBRAGE_SOURCE_DIR) / "renderer" / room)) {
+            if (!entry.is_regular_file()) continue;
+            EXPECT_EQ(textOf(entry.path()).find("#include \"oracle/"), std::string::npos) << entry.path();
+        }
+    }
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(UMBRAGE_SOURCE_DIR) / "renderer" / "oracle")) {
+        for (const char* room : {"shadow", "shading", "frame", "gpu"}) {
+            EXPECT_EQ(textOf(entry.path()).find("#include \"" + std::string(room) + "/"), std::string::npos)
+                << entry.path();
+        }
+    }
+}
+
 TEST(Rooms, SceneNeedsNoImageOrColourLibrary) {
     for (const char* room : {"scene", "job"}) {
         for (const auto& entry : fs::recursive_directory_iterator(fs::path(UMBRAGE_SOURCE_DIR) / "renderer" / room)) {
