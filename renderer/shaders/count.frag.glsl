@@ -18,31 +18,51 @@ layout(location = 1) flat in vec4 farA;
 layout(location = 2) flat in vec4 nearB;
 layout(location = 3) flat in vec4 farB;
 
-/// Where a border p + t q (0 <= t <= last) crosses the pixel's coordinate along `axis`: widens `range` by the
-/// depth there.
-void crossBorder(inout vec2 range, inout int crossings, vec4 p, vec4 q, float last, vec2 ndc, int axis) {
+/// What the polygon's borders have at a coordinate of the screen: their depths, and places across.
+struct Section {
+    vec2 depth, across;  // from, to
+    int crossings;
+};
+
+/// Adds where a border p + t q (0 <= t <= last) crosses the pixel's coordinate along `axis`.
+void crossBorder(inout Section section, vec4 p, vec4 q, float last, vec2 ndc, int axis) {
+    if (q == vec4(0.0)) return;  // both ends in one point
     float t = (ndc[axis] * p.w - p[axis]) / (q[axis] - ndc[axis] * q.w);
-    float w = p.w + t * q.w;
-    if (!(t >= 0.0 && t <= last && w > 0.0)) return;  // also when t is no number; behind the eye is no crossing
-    float depth = clamp((p.z + t * q.z) / w, 0.0, 1.0);
-    range = vec2(min(range.x, depth), max(range.y, depth));
-    ++crossings;
+    vec4 crossing = q.xyw == vec3(0.0) ? q : p + t * q;
+    if (crossing.xyw == vec3(0.0)) {  // in the eye itself, or in line with an orthographic eye: anywhere on screen
+        section.depth = crossing.z > 0.0 ? vec2(section.depth.x, 1.0) : vec2(0.0, section.depth.y);
+        ++section.crossings;
+        return;
+    }
+    if (!(t >= 0.0 && t <= last && crossing.w > 0.0)) return;  // also when t is no number; behind the eye is no crossing
+    float depth = clamp(crossing.z / crossing.w, 0.0, 1.0), across = crossing[1 - axis] / crossing.w;
+    ++section.crossings;
+    section.depth = vec2(min(section.depth.x, depth), max(section.depth.y, depth));
+    section.across = vec2(min(section.across.x, across), max(section.across.y, across));
 }
 
 void holdDepth() {
     vec2 ndc = 1.0 / VIEWPORT_SCALE * vec2(gl_FragCoord.x * view.pixelSize.x - 1.0, 1.0 - gl_FragCoord.y * view.pixelSize.y);
     vec2 along = abs(farA.xy - ndc * farA.w) + abs(farB.xy - ndc * farB.w);
     int axis = along.x > along.y ? 0 : 1;  // the one a sliver runs along
-    vec2 range = vec2(2.0, -1.0);
-    int crossings = 0;
-    crossBorder(range, crossings, nearA, farA, 1e30, ndc, axis);
-    crossBorder(range, crossings, nearB, farB, 1e30, ndc, axis);
-    crossBorder(range, crossings, nearA, nearB - nearA, 1.0, ndc, axis);
-    crossBorder(range, crossings, farA, farB - farA, 1.0, ndc, axis);
-    // Between two borders lies all of the polygon at this coordinate. With one it goes on to the eye's plane, or for an
-    // orthographic eye to infinity.
-    if (crossings == 1) range = view.perspective != 0u ? vec2(range.x, 1.0) : vec2(0.0, 1.0);
-    gl_FragDepth = crossings > 0 ? clamp(gl_FragCoord.z, range.x, range.y) : gl_FragCoord.z;
+    Section section = Section(vec2(2.0, -1.0), vec2(1e30, -1e30), 0);
+    crossBorder(section, nearA, farA, 1e30, ndc, axis);
+    crossBorder(section, nearB, farB, 1e30, ndc, axis);
+    crossBorder(section, nearA, nearB - nearA, 1.0, ndc, axis);
+    crossBorder(section, farA, farB - farA, 1.0, ndc, axis);
+    float depth = gl_FragCoord.z;
+#ifdef PUSHED_BACK
+    // As RasterState::pushedBack.
+    depth -= max(abs(dFdx(gl_FragCoord.z)), abs(dFdy(gl_FragCoord.z))) / 256.0 + 4.76837158203125e-7 * depth;
+#endif
+    // Before the near plane nearer than all; with a corner in the eye there is no number to compare.
+    if (!(gl_FragCoord.z < 1.0)) depth = 1.0;
+    // Between two borders lies all of the polygon at this coordinate.
+    bool held = section.crossings >= 2;
+#ifdef PUSHED_BACK
+    held = held && VIEWPORT_SCALE * (section.across.y - section.across.x) < view.pixelSize[1 - axis];
+#endif
+    gl_FragDepth = held ? clamp(depth, section.depth.x, section.depth.y) : depth;
 }
 #else
 layout(early_fragment_tests) in;

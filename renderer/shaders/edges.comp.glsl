@@ -20,24 +20,20 @@ layout(location = 1) uniform uint facingBase;
 layout(location = 6) uniform uint capacity;
 layout(location = 7) uniform uint halve;
 
-/// Whether an end of the view rays (the eye, or for an orthographic eye a direction, w = 0) is closer to the plane of the
-/// side quad than `sine` of their distance, and within its wedge. The wedge is widened by 2^-6 in its own coordinates;
-/// outside it the quad is seen edge-on and covers nothing.
-/// T4: there the rasteriser and the eye constant may disagree about the side on which the count starts.
-bool nearlyOn(vec4 eye, vec4 light, vec3 a, vec3 b, float sine) {
-    if (eye.w == 0.0 && light.w == 0.0) return false;  // such counts have no constant
+/// An end of the view rays (the eye, or for an orthographic eye a direction, w = 0) within the wedge of a side quad, to
+/// whose plane it is near. The wedge is widened by 2^-6 in its own coordinates; outside it the quad is seen edge-on and
+/// covers nothing.
+bool inWedge(vec4 eye, vec4 light, vec3 a, vec3 b) {
     vec3 e = eye.w == 0.0 ? eye.xyz : (light.w == 0.0 ? eye.xyz - a : eye.xyz - light.xyz);
     vec3 u = light.w == 0.0 ? b - a : a - light.xyz;
     vec3 v = light.w == 0.0 ? -light.xyz : b - light.xyz;
     vec3 n = cross(u, v);
-    float size = length(n);
-    float scale = eye.w == 0.0 ? length(e) : max(length(e), max(distance(eye.xyz, a), distance(eye.xyz, b)));
-    if (abs(dot(n, e)) >= sine * scale * size) return false;
+    float squared = dot(n, n);
     const float kMargin = 0.015625;
-    float alongU = dot(cross(e, v), n) / (size * size);  // e = alongU u + alongV v
-    float alongV = dot(cross(u, e), n) / (size * size);
+    float alongU = dot(cross(e, v), n) / squared;  // e = alongU u + alongV v
+    float alongV = dot(cross(u, e), n) / squared;
     if (eye.w == 0.0) {
-        return alongU * length(u) > -kMargin * scale && alongV * length(v) > -kMargin * scale;
+        return alongU * length(u) > -kMargin * length(e) && alongV * length(v) > -kMargin * length(e);
     }
     if (light.w == 0.0) {
         return alongU > -kMargin && alongU < 1.0 + kMargin &&
@@ -46,11 +42,28 @@ bool nearlyOn(vec4 eye, vec4 light, vec3 a, vec3 b, float sine) {
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0 - kMargin;
 }
 
-/// The eye nearly in the plane of the side quad.
-bool seenEdgeOn(vec4 eye, vec4 light, vec3 a, vec3 b) {
+/// T4: the start of the count so close to the quad that the rasteriser and the eye constant may disagree about the side
+/// it is on.
+bool hazardous(vec4 start, vec4 light, vec3 a, vec3 b) {
+    if (start.w == 0.0 && light.w == 0.0) return false;  // such counts have no constant
+    vec3 e = start.w == 0.0 ? start.xyz : (light.w == 0.0 ? start.xyz - a : start.xyz - light.xyz);
+    vec3 n = light.w == 0.0 ? cross(b - a, -light.xyz) : cross(a - light.xyz, b - light.xyz);
+    float scale = start.w == 0.0 ? length(e) : max(length(e), max(distance(start.xyz, a), distance(start.xyz, b)));
+    return abs(dot(n, e)) < HAZARD * scale * length(n) && inWedge(start, light, a, b);
+}
+
+/// The eye nearly in the plane of the side quad: the sine of the angle between them, seen from a.
+bool seenEdgeOn(vec4 eye, vec4 light, vec3 a, vec3 b, float sine) {
     vec3 n = cross(b - a, light.w == 0.0 ? light.xyz : light.xyz - a);
     vec3 e = eye.w == 0.0 ? eye.xyz : eye.xyz - a;
-    return abs(dot(n, e)) < EDGE_ON_SINE * length(n) * length(e);
+    return abs(dot(n, e)) < sine * length(n) * length(e);
+}
+
+/// The view rays' other end, from which the count does not start, in the quad: it is seen edge-on and covers nothing,
+/// but passes through the one point without a place on screen (x = y = w = 0), where clippers go astray.
+bool endsInQuad(vec4 end, vec4 light, vec3 a, vec3 b) {
+    if (end.w == 0.0 && light.w == 0.0) return false;
+    return seenEdgeOn(end, light, a, b, IN_LINE_SINE) && inWedge(end, light, a, b);
 }
 
 #if FAULT == FAULT_FACING_TWICE
@@ -121,16 +134,13 @@ void main() {
         uint vertexBase = instances[instance].vertexBase;
         vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
         bool orthographic = eye.w == 0.0, fail = list == LIST_FAIL;
-        // With the end of the view rays in its plane the quad is seen edge-on and covers nothing, but passes through
-        // the one point without a place on screen (x = y = w = 0), where clippers go astray.
-        vec4 end = fail ? eye : -eye;
-        if ((fail || orthographic) && nearlyOn(end, light, a, b, IN_LINE_SINE)) continue;
+        if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) continue;
         bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
         bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
-        append(list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
+        append(list + (seenEdgeOn(eye, light, a, b, EDGE_ON_SINE) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
                isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
         if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
-        if ((orthographic || !fail) && nearlyOn(fail ? -eye : eye, light, a, b, HAZARD)) {
+        if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
             atomicOr(casters[instance].hazards, 1u << l);
         }
     }

@@ -114,7 +114,7 @@ struct Edge {
 #define LIST_EDGE_ON LIST_KINDS
 #define LIST_COUNT (2 * LIST_KINDS)
 #define HAZARD 1.52587890625e-5  // 2^-16, of the distance: closer than this to a volume's faces the eye is on them (T4)
-#define IN_LINE_SINE 1e-6        // as HAZARD, of the end of the view rays that a count does not start from
+#define IN_LINE_SINE 1e-6        // as EDGE_ON_SINE: so nearly edge-on that it covers nothing
 #define EDGE_ON_SINE \
     0.0078125  // of the angle between the plane of a quad or cap and the direction to one of its corners
 

@@ -108,9 +108,9 @@ VolumeRenderer::VolumeRenderer()
                    gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1"})},
       caps_{gpu::Program("cap.vert"), gpu::Program("cap.vert", "count.frag", {"SIGNED 1"}),
             gpu::Program("cap.vert", "count.frag")},
-      edgeOnCaps_{gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "STENCIL_ONLY 1"}),
-                  gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "SIGNED 1"}),
-                  gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1"})} {}
+      edgeOnCaps_{gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "PUSHED_BACK 1", "STENCIL_ONLY 1"}),
+                  gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "PUSHED_BACK 1", "SIGNED 1"}),
+                  gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "PUSHED_BACK 1"})} {}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
@@ -161,7 +161,7 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
     program.uniform(5, GLuint(part.rule == Rule::Fail));
     // What lies in the plane of what is seen (the surface itself, a coincident face that is culled) hides nothing, so a
     // cap at its own depth must not be nearer by rounding. Before the near plane its depth is clamped: nearer than all.
-    state.pushedBack = part.what == CAP_TRUE || part.what == CAP_EDGE_ON;
+    state.pushedBack = part.what == CAP_TRUE;
     // Neighbouring instances make one range: the vertex shader drops the padding between them.
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;

@@ -63,28 +63,36 @@ bool inBoxOf(const std::array<glm::vec3, 3>& t, const glm::vec4& light) {
     return light.w != 0.0f && glm::all(glm::greaterThanEqual(l, low)) && glm::all(glm::lessThanEqual(l, high));
 }
 
-/// T4; see edges.comp.glsl.
-bool nearlyOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b, float sine) {
-    if (eye.w == 0.0f && light.w == 0.0f) return false;
+/// See edges.comp.glsl.
+bool inWedge(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
     const glm::vec3 l(light), p(eye);
     const glm::vec3 e = eye.w == 0.0f ? p : light.w == 0.0f ? p - a : p - l;
     const glm::vec3 u = light.w == 0.0f ? b - a : a - l, v = light.w == 0.0f ? -l : b - l;
     const glm::vec3 n = glm::cross(u, v);
-    const float size = glm::length(n);
-    const float scale =
-        eye.w == 0.0f ? glm::length(e) : std::max({glm::length(e), glm::distance(p, a), glm::distance(p, b)});
-    if (std::abs(glm::dot(n, e)) >= sine * scale * size) return false;
+    const float squared = glm::dot(n, n);
     constexpr float kMargin = 0x1p-6f;
-    const float alongU = glm::dot(glm::cross(e, v), n) / (size * size);
-    const float alongV = glm::dot(glm::cross(u, e), n) / (size * size);
+    const float alongU = glm::dot(glm::cross(e, v), n) / squared;
+    const float alongV = glm::dot(glm::cross(u, e), n) / squared;
     if (eye.w == 0.0f) {
-        return alongU * glm::length(u) > -kMargin * scale && alongV * glm::length(v) > -kMargin * scale;
+        return alongU * glm::length(u) > -kMargin * glm::length(e) &&
+               alongV * glm::length(v) > -kMargin * glm::length(e);
     }
     if (light.w == 0.0f) {
         return alongU > -kMargin && alongU < 1.0f + kMargin &&
                alongV * glm::length(v) > -kMargin * (glm::length(u) + glm::length(e));
     }
     return alongU > -kMargin && alongV > -kMargin && alongU + alongV > 1.0f - kMargin;
+}
+
+/// T4; see edges.comp.glsl.
+bool hazardous(const glm::vec4& start, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
+    if (start.w == 0.0f && light.w == 0.0f) return false;
+    const glm::vec3 l(light), p(start);
+    const glm::vec3 e = start.w == 0.0f ? p : light.w == 0.0f ? p - a : p - l;
+    const glm::vec3 n = light.w == 0.0f ? glm::cross(b - a, -l) : glm::cross(a - l, b - l);
+    const float scale =
+        start.w == 0.0f ? glm::length(e) : std::max({glm::length(e), glm::distance(p, a), glm::distance(p, b)});
+    return std::abs(glm::dot(n, e)) < float(HAZARD) * scale * glm::length(n) && inWedge(start, light, a, b);
 }
 
 /// T4 for caps; see facing.comp.glsl.
@@ -100,10 +108,16 @@ bool eyeIsOn(const glm::vec4& homogeneousEye, const glm::vec3& n, const std::arr
 }
 
 /// See edges.comp.glsl.
-bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
+bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b, float sine) {
     const glm::vec3 n = glm::cross(b - a, light.w == 0.0f ? glm::vec3(light) : glm::vec3(light) - a);
     const glm::vec3 e = eye.w == 0.0f ? glm::vec3(eye) : glm::vec3(eye) - a;
-    return std::abs(glm::dot(n, e)) < float(EDGE_ON_SINE) * glm::length(n) * glm::length(e);
+    return std::abs(glm::dot(n, e)) < sine * glm::length(n) * glm::length(e);
+}
+
+/// See edges.comp.glsl.
+bool endsInQuad(const glm::vec4& end, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
+    if (end.w == 0.0f && light.w == 0.0f) return false;
+    return seenEdgeOn(end, light, a, b, float(IN_LINE_SINE)) && inWedge(end, light, a, b);
 }
 
 class CpuSilhouettes : public SilhouetteTechnique {
@@ -247,13 +261,13 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
             const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);
             const bool orthographic = eye.w == 0.0f, fail = list == LIST_FAIL;
-            const glm::vec4 end = fail ? eye : -eye;
-            if ((fail || orthographic) && nearlyOn(end, light, a, b, float(IN_LINE_SINE))) continue;
+            if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) continue;
             std::vector<std::uint32_t>& entries =
-                entries_[l * LIST_COUNT + list + (seenEdgeOn(eye, light, a, b) ? LIST_EDGE_ON : 0)];
+                entries_[l * LIST_COUNT + list +
+                         (seenEdgeOn(eye, light, a, b, float(EDGE_ON_SINE)) ? LIST_EDGE_ON : 0)];
             entries.insert(entries.end(), std::size_t(times), entry);
             ++out.hostSummaries[l].silhouetteEdges;
-            if ((orthographic || !fail) && nearlyOn(fail ? -eye : eye, light, a, b, float(HAZARD))) {
+            if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
                 out.hostCasters[i].hazards |= 1u << l;
             }
         }
