@@ -52,18 +52,20 @@ bool hazardous(vec4 start, vec4 light, vec3 a, vec3 b) {
     return abs(dot(n, e)) < HAZARD * scale * length(n) && inWedge(start, light, a, b);
 }
 
-/// The eye nearly in the plane of the side quad: the sine of the angle between them, seen from a.
-bool seenEdgeOn(vec4 eye, vec4 light, vec3 a, vec3 b, float sine) {
-    vec3 n = cross(b - a, light.w == 0.0 ? light.xyz : light.xyz - a);
+/// The side quad seen nearly edge-on, or its edge nearly along the light's rays: a sliver on screen.
+bool isSliver(vec4 eye, vec4 light, vec3 a, vec3 b) {
+    vec3 l = light.w == 0.0 ? light.xyz : light.xyz - a;
     vec3 e = eye.w == 0.0 ? eye.xyz : eye.xyz - a;
-    return abs(dot(n, e)) < sine * length(n) * length(e);
+    return abs(dot(cross(b - a, l), e)) < EDGE_ON_SINE * length(b - a) * length(l) * length(e);
 }
 
 /// The view rays' other end, from which the count does not start, in the quad: it is seen edge-on and covers nothing,
 /// but passes through the one point without a place on screen (x = y = w = 0), where clippers go astray.
 bool endsInQuad(vec4 end, vec4 light, vec3 a, vec3 b) {
     if (end.w == 0.0 && light.w == 0.0) return false;
-    return seenEdgeOn(end, light, a, b, IN_LINE_SINE) && inWedge(end, light, a, b);
+    vec3 n = cross(b - a, light.w == 0.0 ? light.xyz : light.xyz - a);
+    vec3 e = end.w == 0.0 ? end.xyz : end.xyz - a;
+    return abs(dot(n, e)) < IN_LINE_SINE * length(n) * length(e) && inWedge(end, light, a, b);
 }
 
 #if FAULT == FAULT_FACING_TWICE
@@ -137,7 +139,7 @@ void main() {
         if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) continue;
         bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
         bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
-        append(list + (seenEdgeOn(eye, light, a, b, EDGE_ON_SINE) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
+        append(list + (isSliver(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
                isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
         if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
         if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {

@@ -108,16 +108,20 @@ bool eyeIsOn(const glm::vec4& homogeneousEye, const glm::vec3& n, const std::arr
 }
 
 /// See edges.comp.glsl.
-bool seenEdgeOn(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b, float sine) {
-    const glm::vec3 n = glm::cross(b - a, light.w == 0.0f ? glm::vec3(light) : glm::vec3(light) - a);
+bool isSliver(const glm::vec4& eye, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 l = light.w == 0.0f ? glm::vec3(light) : glm::vec3(light) - a;
     const glm::vec3 e = eye.w == 0.0f ? glm::vec3(eye) : glm::vec3(eye) - a;
-    return std::abs(glm::dot(n, e)) < sine * glm::length(n) * glm::length(e);
+    return std::abs(glm::dot(glm::cross(b - a, l), e)) <
+           float(EDGE_ON_SINE) * glm::length(b - a) * glm::length(l) * glm::length(e);
 }
 
 /// See edges.comp.glsl.
 bool endsInQuad(const glm::vec4& end, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
     if (end.w == 0.0f && light.w == 0.0f) return false;
-    return seenEdgeOn(end, light, a, b, float(IN_LINE_SINE)) && inWedge(end, light, a, b);
+    const glm::vec3 n = glm::cross(b - a, light.w == 0.0f ? glm::vec3(light) : glm::vec3(light) - a);
+    const glm::vec3 e = end.w == 0.0f ? glm::vec3(end) : glm::vec3(end) - a;
+    return std::abs(glm::dot(n, e)) < float(IN_LINE_SINE) * glm::length(n) * glm::length(e) &&
+           inWedge(end, light, a, b);
 }
 
 class CpuSilhouettes : public SilhouetteTechnique {
@@ -263,8 +267,7 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             const bool orthographic = eye.w == 0.0f, fail = list == LIST_FAIL;
             if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) continue;
             std::vector<std::uint32_t>& entries =
-                entries_[l * LIST_COUNT + list +
-                         (seenEdgeOn(eye, light, a, b, float(EDGE_ON_SINE)) ? LIST_EDGE_ON : 0)];
+                entries_[l * LIST_COUNT + list + (isSliver(eye, light, a, b) ? LIST_EDGE_ON : 0)];
             entries.insert(entries.end(), std::size_t(times), entry);
             ++out.hostSummaries[l].silhouetteEdges;
             if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {

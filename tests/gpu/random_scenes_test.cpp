@@ -22,7 +22,7 @@ class OnceWrong : public testing::TestWithParam<std::uint64_t> {};
 INSTANTIATE_TEST_SUITE_P(Seeds, OnceWrong,
                          testing::Values(1226, 1629, 1844, 2017, 2030, 2087, 2089, 2168, 2233, 2300, 2446, 2491, 2498,
                                          50111, 50128, 50469, 50931, 50954, 60755, 60979, 72681, 100284, 101287, 102022,
-                                         200010, 210400, 301216));
+                                         200010, 210400, 301216, 1000470, 1002660, 1005205, 2001810, 4000495, 4008314));
 
 TEST_P(OnceWrong, IsRight) {
     VerifyOptions options;
