@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "command_line.h"
 #include "exit_codes.h"
+#include "job/aovs.h"
 #include "job/nearest.h"
 #include "shadow/fault.h"
 #include "version.h"
@@ -25,6 +27,7 @@ constexpr const char* kFooter =
     "  umbrage render configs/courtyard.yaml --frames 1-48x2 --out /tmp/frames\n"
     "  umbrage render scene.glb --size 640x480 --set shadow.count=z-fail\n"
     "  umbrage verify configs/stress/*.yaml --techniques all --json stress.json\n"
+    "  umbrage stats out/statistics.json --compare before.json\n"
     "  umbrage inspect scene.glb";
 
 void addJob(CLI::App& app, JobOptions& o) {
@@ -64,6 +67,11 @@ void addRender(CLI::App& app, RenderOptions& o) {
         ->check(CLI::Range(0, 256))
         ->option_text("INT [0]");
     addRun(app, o.device, o.progress, o.allowExternalFiles);
+    std::string aovs;
+    for (const AovInfo& aov : kAovs) aovs += fmt::format(" {}", aov.name);
+    app.footer("AOVs, for --set output.aovs.NAME=exr (docs/aovs.md):" + aovs);
+    app.add_flag("--only-diagnostics", o.onlyDiagnostics,
+                 "shade nothing: overlays, data AOVs and statistics alone (diagnostics.only)");
     app.add_flag("--dry-run", o.dryRun, "check everything, print the files that would be written, render nothing");
 }
 
@@ -109,6 +117,36 @@ void addVerify(CLI::App& app, VerifyCommandOptions& o) {
     }
     app.add_option("--fault", o.fault, doc)->check(CLI::IsMember(faults))->option_text("NAME");
     addRun(app, o.device, o.progress, o.allowExternalFiles);
+}
+
+CLI::Validator endingWith(const std::vector<std::string>& endings) {
+    const std::string what = fmt::format("{}", fmt::join(endings, " or "));
+    return CLI::Validator(
+        [=](const std::string& file) {
+            const auto ends = [&](const std::string& ending) { return file.ends_with(ending); };
+            return std::any_of(endings.begin(), endings.end(), ends)
+                       ? std::string()
+                       : fmt::format("{} does not end with {}", file, what);
+        },
+        "");
+}
+
+void addStats(CLI::App& app, StatsOptions& o) {
+    app.add_option("inputs", o.inputs,
+                   "statistics files (.json); several are parts of one sequence where a file is made")
+        ->required();
+    app.add_option("--frames", o.frames, "only these frames: 1-48, 1-100x2, 3,7,9-12");
+    app.add_option("--light", o.light, "only lights whose id this glob matches");
+    CLI::Option* counter =
+        app.add_option("--counter", o.counter, "only counters that this glob matches; with --plot, the one to plot");
+    app.add_option("--compare", o.compare, "print what is different in this statistics file");
+    app.add_option("--merge", o.merge, "write all inputs as one statistics file")->check(endingWith({".json"}));
+    app.add_option("--csv", o.csv, "write them as a table for spreadsheets, pandas and R");
+    app.add_option("--html", o.html,
+                   "write them as a page to look at, with thumbnails of beauty.FRAME.png beside them");
+    app.add_option("--plot", o.plot, "write a curve over the frames, a line for each light: .svg or .png")
+        ->check(endingWith({".svg", ".png"}))
+        ->needs(counter);
 }
 
 std::vector<std::string> commandsOf(const CLI::App& app) {
@@ -158,6 +196,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     RenderOptions render;
     VerifyCommandOptions verify;
     InspectOptions inspect;
+    StatsOptions stats;
     SchemaOptions schema;
     CLI::App app{"umbrage: batch renderer with pixel-exact shadow volumes", "umbrage"};
     app.footer(kFooter);
@@ -174,9 +213,13 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     inspectCommand->add_option("scene", inspect.scene, "scene (.gltf, .glb)")->required();
     inspectCommand->add_flag("--allow-external-files", inspect.allowExternalFiles,
                              "let the scene name files outside its folder");
+    CLI::App* statsCommand = app.add_subcommand("stats", "print, merge, compare and plot statistics");
+    addStats(*statsCommand, stats);
     CLI::App* devicesCommand = app.add_subcommand("devices", "list OpenGL devices for --device");
     CLI::App* schemaCommand = app.add_subcommand("schema", "print the JSON Schema of sequence files");
     schemaCommand->add_flag("--markdown", schema.markdown, "the reference page instead");
+    schemaCommand->add_flag("--statistics", schema.statistics, "of statistics files instead");
+    schemaCommand->add_flag("--aovs", schema.aovs, "the reference page of the AOVs instead");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -189,6 +232,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
         options.verify = verify;
     }
     if (*inspectCommand) options.inspect = inspect;
+    if (*statsCommand) options.stats = stats;
     if (*schemaCommand) options.schema = schema;
     options.devices = bool(*devicesCommand);
     return options;

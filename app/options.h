@@ -22,7 +22,7 @@ struct RenderOptions {
     JobOptions job;
     std::string out, device = "auto", ocio;
     int workers = 0;
-    bool dryRun = false, allowExternalFiles = false;
+    bool dryRun = false, onlyDiagnostics = false, allowExternalFiles = false;
     ProgressKind progress = ProgressKind::Auto;
 };
 
@@ -49,14 +49,21 @@ struct InspectOptions {
     bool allowExternalFiles = false;
 };
 
+struct StatsOptions {
+    std::vector<std::string> inputs;     // statistics files (.json)
+    std::string frames, light, counter;  // what to look at; empty: everything
+    std::string merge, compare, csv, html, plot;
+};
+
 struct SchemaOptions {
-    bool markdown = false;
+    bool markdown = false, aovs = false, statistics = false;
 };
 
 struct Options {
     std::optional<RenderOptions> render;
     std::optional<VerifyCommandOptions> verify;
     std::optional<InspectOptions> inspect;
+    std::optional<StatsOptions> stats;
     std::optional<SchemaOptions> schema;
     bool devices = false;
     bool quiet = false;

@@ -42,6 +42,7 @@ void printSummary(const BatchSummary& summary) {
 
 int runRender(const RenderOptions& options, bool quiet) {
     Job job = jobOf(options.input, options.job);
+    job.diagnostics.only = job.diagnostics.only || options.onlyDiagnostics;
     if (!options.out.empty()) redirectOutput(job, options.out);
     BatchOptions batch;
     batch.device = options.device;

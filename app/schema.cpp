@@ -2,13 +2,19 @@
 #include <cstdio>
 
 #include "commands.h"
+#include "diagnostics/statistics_file.h"
 #include "exit_codes.h"
+#include "job/aovs.h"
 #include "job/job.h"
 
 namespace umbrage {
 
 int runSchema(const SchemaOptions& options) {
-    std::fputs((options.markdown ? jobReference() : jobSchema()).c_str(), stdout);
+    const bool page = options.markdown;
+    const std::string text = options.aovs         ? aovReference()
+                             : options.statistics ? (page ? statisticsReference() : statisticsSchema())
+                                                  : (page ? jobReference() : jobSchema());
+    std::fputs(text.c_str(), stdout);
     return kOk;
 }
 

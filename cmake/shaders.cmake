@@ -1,6 +1,6 @@
 # Checks every shader with glslang and embeds the texts: shaders/<pass>.<stage>.glsl, shaders/*.glsl (included by
 # others) and shaders/shared.h become umbrage::gpu::shaderSource(). A shader is checked as it stands and once more for
-# each comment line "// variant: NAME VALUE" in it.
+# each comment line "// variant: NAME VALUE, NAME VALUE" in it.
 function(embed_shaders output)
   file(GLOB texts CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/shaders/*.glsl ${CMAKE_CURRENT_SOURCE_DIR}/shaders/*.h)
   set(stamps)
@@ -13,7 +13,9 @@ function(embed_shaders output)
       set(commands COMMAND ${check} ${text})
       file(STRINGS ${text} variants REGEX "^// variant: ")
       foreach(variant ${variants})
-        string(REGEX REPLACE "^// variant: ([A-Z_0-9]+) (.+)$" "-D\\1=\\2" define "${variant}")
+        string(REGEX REPLACE "^// variant: " "" define "${variant}")
+        string(REGEX REPLACE ", *" ";" define "${define}")
+        string(REGEX REPLACE "([A-Z_0-9]+) ([^;]+)" "-D\\1=\\2" define "${define}")
         list(APPEND commands COMMAND ${check} ${define} ${text})
       endforeach()
       add_custom_command(OUTPUT ${stamp} ${commands} COMMAND ${CMAKE_COMMAND} -E touch ${stamp}

@@ -7,14 +7,20 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <optional>
 
 #include "batch/frame_files.h"
+#include "batch/frame_maker.h"
 #include "batch/write_queue.h"
 #include "error.h"
 #include "frame/settings.h"
 #include "gpu/context.h"
 #include "image/image.h"
+#include "image/thumbnail.h"
+#include "report/statistics_page.h"
 #include "version.h"
 
 namespace umbrage {
@@ -53,6 +59,33 @@ void say(const Composition& composition, const gpu::Context& context, const Fram
     }
 }
 
+/// Small pictures of the frames, made by the threads that write.
+class Thumbnails {
+public:
+    void add(const Job& job, const WriteQueue::Item& item, const DisplayTransform& display) {
+        Thumbnail thumbnail = thumbnailOf(job.image.width, job.image.height, item.pixels->radiance);
+        display.apply(thumbnail.rgba);
+        std::string png = thumbnail.png();
+        const std::lock_guard lock(mutex_);
+        pngs_[item.frame] = std::move(png);
+    }
+
+    /// By frame; only when all threads are done.
+    const std::map<int, std::string>& pngs() const { return pngs_; }
+
+private:
+    std::mutex mutex_;
+    std::map<int, std::string> pngs_;
+};
+
+void writeStatistics(const Job& job, const StatisticsFile& file, const Thumbnails& thumbnails) {
+    if (!job.statistics.path.empty()) {
+        const bool csv = std::filesystem::path(job.statistics.path).extension() == ".csv";
+        writeWhole(job.statistics.path, csv ? file.csv() : file.json());
+    }
+    if (!job.statistics.page.empty()) writeWhole(job.statistics.page, statisticsPage(file, thumbnails.pngs()));
+}
+
 }  // namespace
 
 BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver& observer,
@@ -61,14 +94,14 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     const std::future<void> prefetch = prefetchCodec();
     BatchSummary summary;
 
-    const FrameOutputs outputs = neededOutputs(job);
     const Composition composition = compose(job, gltfOptionsOf(options));
     const FrameRange range = framesOf(job, composition);
     const std::vector<int>& frames = range.frames();
     summary.requested = frames.size();
     const gpu::Context context(options.device);
     const Moment first = evaluate(composition.scene, composition.animations, frameSeconds(job, frames.front()));
-    FrameRenderer renderer(composition.scene, first, settingsOf(job, composition), context);
+    FrameMaker maker(job, composition, first, context);
+    const FrameOutputs& outputs = maker.outputs();
     const std::unique_ptr<DisplayTransform> display =
         codec().displayTransform({options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display,
                                   job.color.view, job.color.exposureStops});
@@ -78,33 +111,28 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     }
     observer.note(fmt::format("colour: {}", display->description()));
     const Metadata metadata = metadataOf(composition, context.info(), *display, first);
+    const AovMetadata metadataOfAovs = outputs.wants("ids") ? idMetadata(composition.scene, first) : AovMetadata{};
     summary.loadSeconds = secondsSince(start);
     observer.started(frames.size());
 
     const Clock::time_point renderStart = Clock::now();
     Statistics statistics;
+    Thumbnails thumbnails;
     {
         WriteQueue queue(options.workers, [&](const WriteQueue::Item& item) {
-            writeFrameFiles(job, item.frame, *item.pixels, *display, metadata);
+            writeFrameFiles(job, item.frame, *item.pixels, *display, metadata, metadataOfAovs, item.against.get());
+            if (!job.statistics.page.empty() && !item.pixels->radiance.empty()) thumbnails.add(job, item, *display);
         });
         const auto collect = [&](const std::vector<WriteQueue::Done>& done) {
             for (const WriteQueue::Done& frame : done) {
                 summary.written.push_back(frame.frame);
-                if (job.diagnostics.profile) statistics.record(frame.frame, "", "time.encode", frame.milliseconds);
+                if (job.diagnostics.profile) statistics.record(frame.frame, {}, "time.encode", frame.milliseconds);
                 observer.frameWritten(frame.frame, summary.written.size(), frames.size());
             }
         };
         for (const int frame : frames) {
             if (interrupted) break;
-            const Clock::time_point frameStart = Clock::now();
-            const Moment moment = evaluate(composition.scene, composition.animations, frameSeconds(job, frame));
-            const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
-            auto pixels = std::make_unique<FramePixels>(renderer.render(moment, camera, outputs, frame, statistics));
-            if (job.diagnostics.profile) {
-                statistics.record(frame, "", "time.frame", 1e3 * secondsSince(frameStart));
-                statistics.record(frame, "", "memory.peak", peakHostMemoryMebibytes());
-            }
-            queue.push({frame, std::move(pixels)});
+            queue.push(maker.make(frame, statistics));
             collect(queue.takeDone());
         }
         collect(queue.finish());
@@ -119,14 +147,13 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
         const std::vector<std::filesystem::path> files = frameFiles(job, summary.written.front());
         if (!files.empty()) summary.example = files.front();
     }
-    if (!job.statistics.path.empty()) {
-        const bool csv = std::filesystem::path(job.statistics.path).extension() == ".csv";
-        const StatisticsHeader header{
-            {"sequence", job.file.filename().string()},
-            {"version", std::string(kVersion)},
-            {"device", context.info().renderer},
-            {"clock", context.info().software ? "wall clock between glFinish calls" : "GPU timer queries"}};
-        writeWhole(job.statistics.path, csv ? statistics.csv() : statistics.json(header));
+    if (job.statistics.isWanted()) {
+        const StatisticsFile file = statistics.file(
+            {{"sequence", job.file.filename().string()},
+             {"version", std::string(kVersion)},
+             {"device", context.info().renderer},
+             {"clock", context.info().software ? "wall clock between glFinish calls" : "GPU timer queries"}});
+        writeStatistics(job, file, thumbnails);
     }
     return summary;
 }

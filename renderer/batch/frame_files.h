@@ -4,7 +4,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "frame/frame.h"
@@ -19,10 +21,20 @@ FrameOutputs neededOutputs(const Job& job);
 /// The files of a frame, in the order they are written.
 std::vector<std::filesystem::path> frameFiles(const Job& job, int frame);
 
+/// What only the EXR of an AOV holds, by the AOV's name.
+using AovMetadata = std::map<std::string, Metadata, std::less<>>;
+
+/// What the numbers of the AOV ids mean: {"1": "/Path", ...} of objects and of materials, as JSON.
+AovMetadata idMetadata(const Scene& scene, const Moment& moment);
+
 /// Encodes and writes all files of a frame. Thread-safe.
 /// @param display  for what people look at
+/// @param against  the same frame by techniqueAgainst(), where an overlay compares with it; else null
 /// @throws Error(Output)
 void writeFrameFiles(const Job& job, int frame, const FramePixels& pixels, const DisplayTransform& display,
-                     const Metadata& metadata);
+                     const Metadata& metadata, const AovMetadata& metadataOf, const FramePixels* against);
+
+/// Whether an overlay compares two techniques.
+bool comparesTechniques(const Job& job);
 
 }  // namespace umbrage

@@ -20,7 +20,7 @@ class WriteQueue {
 public:
     struct Item {
         int frame = 0;
-        std::unique_ptr<FramePixels> pixels;
+        std::unique_ptr<FramePixels> pixels, against;  // against: see writeFrameFiles()
     };
     struct Done {
         int frame = 0;

@@ -4,29 +4,71 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <stdexcept>
 #include <string_view>
+
+#include "diagnostics/table_row.h"
 
 namespace umbrage {
 
+/// How values of several frames become the sequence's, and where a light or caster has parts, theirs the whole's. Mean:
+/// the ratio of two combined counters where the table names them; otherwise frames are averaged, and a whole has no
+/// value from its parts.
+enum class Combine { Sum, Largest, Mean };
+
 struct CounterInfo {
     std::string_view name, unit, doc;
+    Combine combine = Combine::Sum;
+    std::string_view numerator{}, denominator{};  // counters, of a Mean that is their ratio
 };
 
 // clang-format off
 inline constexpr std::array kCounters{
-    CounterInfo{"triangles", "count", "triangles of the shadow casters"},
+    // scene
+    CounterInfo{"scene.fragments", "count", "fragments of opaque surfaces, whatever is in front of them"},
+    CounterInfo{"scene.shaded", "count", "fragments of opaque surfaces that passed the depth test when they were drawn"},
+    CounterInfo{"scene.covered", "pixels", "pixels with at least one of them"},
+    CounterInfo{"scene.depthComplexity", "fragments/pixel", "scene.fragments / scene.covered", Combine::Mean, "scene.fragments", "scene.covered"},
+    CounterInfo{"scene.overdraw", "fragments/pixel", "scene.shaded / scene.covered", Combine::Mean, "scene.shaded", "scene.covered"},
+    // casters
+    CounterInfo{"triangles", "count", "triangles of the shadow casters", Combine::Largest},
     CounterInfo{"triangles.facing", "count", "triangles whose front the light sees"},
-    CounterInfo{"edges", "count", "welded edges of the shadow casters"},
+    CounterInfo{"edges", "count", "welded edges of the shadow casters", Combine::Largest},
     CounterInfo{"edges.silhouette", "count", "edges that become sides of a shadow volume"},
+    CounterInfo{"edges.silhouette.once", "count", "of them, those that count one"},
+    CounterInfo{"edges.silhouette.twice", "count", "of them, those that count two or more"},
     CounterInfo{"quads", "count", "sides of shadow volumes that are drawn, multiplicities included"},
-    CounterInfo{"overdraw.fragments", "count", "fragments of shadow volumes (one for each sample), before the depth test"},
+    CounterInfo{"caps.light", "count", "triangles drawn as light caps"},
+    CounterInfo{"caps.dark", "count", "triangles drawn as dark caps"},
+    // fill
+    CounterInfo{"overdraw.fragments", "count", "fragments of shadow volumes"},
+    CounterInfo{"overdraw.sides", "count", "of them, those of sides"},
+    CounterInfo{"overdraw.lightCaps", "count", "of them, those of light caps"},
+    CounterInfo{"overdraw.darkCaps", "count", "of them, those of dark caps"},
+    CounterInfo{"overdraw.passed", "count", "of them, those that passed the depth test"},
+    CounterInfo{"overdraw.failed", "count", "of them, those that failed it"},
+    CounterInfo{"overdraw.queried", "count", "all of them by the device's own query: the same number"},
     CounterInfo{"overdraw.updates", "count", "stencil updates: fragments of shadow volumes that count"},
+    CounterInfo{"overdraw.entered", "count", "of them, those that enter a volume"},
+    CounterInfo{"overdraw.left", "count", "of them, those that leave one"},
+    CounterInfo{"count.net", "count", "counts of all samples added up: overdraw.entered - overdraw.left + eye.constant for each sample"},
+    CounterInfo{"overdraw.depthComplexity", "fragments/pixel", "overdraw.fragments / pixels of the picture and samples of each", Combine::Mean},
+    CounterInfo{"tiles", "count", "tiles of 8 x 8 pixels of the picture", Combine::Largest},
+    CounterInfo{"tiles.touched", "count", "tiles with a fragment of the light's volumes"},
+    CounterInfo{"tiles.processed", "count", "of them, those in which one changed a count"},
+    CounterInfo{"tiles.culled", "count", "of them, the others"},
     CounterInfo{"eye.constant", "count", "shadow volumes that hold the eye"},
     CounterInfo{"casters.zfail", "count", "casters counted by z-fail because the eye is near their volumes"},
     CounterInfo{"casters.outOfReach", "count", "casters skipped because the light's range ends before them"},
     CounterInfo{"lights.skipped", "count", "lights that provably change no pixel of the frame"},
+    // device
+    CounterInfo{"device.draws", "count", "draw calls"},
+    CounterInfo{"device.dispatches", "count", "compute dispatches"},
+    CounterInfo{"device.stateChanges", "count", "changes of raster state, program or framebuffer"},
+    CounterInfo{"device.uploaded", "bytes", "written to buffers"},
+    CounterInfo{"device.readBack", "bytes", "read from buffers and pictures"},
+    CounterInfo{"memory.device", "bytes", "buffers and textures allocated at the end of the frame", Combine::Largest},
+    CounterInfo{"memory.peak", "MiB", "largest resident memory of the process so far", Combine::Largest},
+    // time
     CounterInfo{"time.position", "ms", "skinning, morphing and displacement of positions"},
     CounterInfo{"time.gbuffer", "ms", "depth and surface attributes"},
     CounterInfo{"time.silhouettes", "ms", "facing and edge lists"},
@@ -36,34 +78,39 @@ inline constexpr std::array kCounters{
     CounterInfo{"time.readback", "ms", "pixels from the device to the host"},
     CounterInfo{"time.encode", "ms", "display colour, encoding and writing of files"},
     CounterInfo{"time.frame", "ms", "the whole frame"},
-    CounterInfo{"memory.peak", "MiB", "largest resident memory of the process so far"},
 };
 // clang-format on
 
-/// A counter's place in kCounters, found by name while compiling: a misspelt name does not compile.
-class Counter {
-public:
-    template <std::size_t N>
-    consteval Counter(const char (&name)[N]) : index_(find({name, N - 1})) {}
+/// Neighbours in kCounters that are shown together.
+struct CounterGroup {
+    std::string_view name, first, doc;
+};
 
-    /// The counter at a place of kCounters.
-    static constexpr Counter at(std::size_t index) { return Counter(index, Placed{}); }
+// clang-format off
+inline constexpr std::array kCounterGroups{
+    CounterGroup{"scene", "scene.fragments", "What is drawn of the scene. Counted a sample at a time; with several samples a pixel divided by their number."},
+    CounterGroup{"casters", "triangles", "The geometry that casts shadows, and what becomes of it for a light."},
+    CounterGroup{"fill", "overdraw.fragments", "What rasterising the shadow volumes costs. Fragments are counted before the depth test, one for each sample."},
+    CounterGroup{"device", "device.draws", "What the device was asked to do, and the memory it took."},
+    CounterGroup{"time", "time.position", "Only with diagnostics.profile. The clock is named at the head of the file."},
+};
+// clang-format on
 
-    constexpr std::size_t index() const { return index_; }
-    constexpr const CounterInfo& info() const { return kCounters[index_]; }
-
-private:
-    struct Placed {};
-    constexpr Counter(std::size_t index, Placed) : index_(index) {}
-
-    static consteval std::size_t find(std::string_view name) {
-        for (std::size_t i = 0; i < kCounters.size(); ++i) {
-            if (kCounters[i].name == name) return i;
-        }
-        throw std::invalid_argument("no such counter");
+/// @param index  of kCounters
+constexpr const CounterGroup& groupOf(std::size_t index) {
+    std::size_t group = 0, begun = 0;
+    for (std::size_t i = 0; i <= index; ++i) {
+        if (begun < kCounterGroups.size() && kCounters[i].name == kCounterGroups[begun].first) group = begun++;
     }
+    return kCounterGroups[group];
+}
 
-    std::size_t index_;
+/// A counter by its name: record(frame, place, "quads", 4).
+class Counter : public TableRow<kCounters, Counter> {
+public:
+    using TableRow::TableRow;
+    template <std::size_t N>
+    consteval Counter(const char (&name)[N]) : TableRow(find({name, N - 1})) {}
 };
 
 }  // namespace umbrage

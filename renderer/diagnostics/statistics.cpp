@@ -1,60 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnostics/statistics.h"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <cassert>
 #include <cmath>
-#include <cstdint>
-#include <nlohmann/json.hpp>
-
-#include "diagnostics/csv_field.h"
 
 namespace umbrage {
-namespace {
 
-// Counts are whole numbers and should look like it.
-nlohmann::ordered_json jsonNumber(double value) {
-    constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
-    if (value == std::floor(value) && std::abs(value) <= kExactIntegers) return static_cast<std::int64_t>(value);
-    return value;
-}
-
-}  // namespace
-
-void Statistics::record(int frame, std::string_view light, Counter counter, double value) {
+void Statistics::record(int frame, const StatisticsPlace& place, Counter counter, double value) {
     assert(std::isfinite(value));
-    values_[Key{frame, std::string(light), counter.index()}] = value;
+    frames_[frame][place].values[counter.index()] = value;
 }
 
-std::string Statistics::csv() const {
-    std::string text = "frame,light,counter,unit,value\n";
-    for (const auto& [key, value] : values_) {
-        const CounterInfo& counter = kCounters[key.counter];
-        text += fmt::format("{},{},{},{},{}\n", key.frame, csvField(key.light), counter.name, counter.unit, value);
-    }
-    return text;
+void Statistics::record(int frame, const StatisticsPlace& place, Quantity quantity, const Distribution& distribution) {
+    frames_[frame][place].distributions[quantity.index()] = distribution;
 }
 
-std::string Statistics::json(const StatisticsHeader& header) const {
-    using Json = nlohmann::ordered_json;
-    Json document = Json::object();
-    for (const auto& [name, value] : header) document[name] = value;
-    for (const CounterInfo& counter : kCounters) {
-        document["counters"][std::string(counter.name)] = {{"unit", counter.unit}, {"doc", counter.doc}};
+StatisticsFile Statistics::file(std::vector<std::pair<std::string, std::string>> header) const {
+    StatisticsFile file;
+    file.header = std::move(header);
+    const auto text = [](std::string_view view) { return std::string(view); };
+    for (std::size_t i = 0; i < kCounters.size(); ++i) {
+        const CounterInfo& row = kCounters[i];
+        file.counters.push_back({text(row.name), text(groupOf(i).name), text(row.unit), text(row.doc), row.combine,
+                                 text(row.numerator), text(row.denominator)});
     }
-    Json& frames = document["frames"] = Json::array();
-    for (const auto& [key, value] : values_) {
-        if (frames.empty() || frames.back()["frame"] != key.frame) {
-            frames.push_back({{"frame", key.frame}, {"values", Json::object()}, {"lights", Json::object()}});
-        }
-        Json& frame = frames.back();
-        Json& place = key.light.empty() ? frame["values"] : frame["lights"][key.light];
-        place[std::string(kCounters[key.counter].name)] = jsonNumber(value);
+    for (const QuantityInfo& row : kQuantities) {
+        file.quantities.push_back({text(row.name), text(row.unit), text(row.doc), text(row.aov)});
     }
-    // A light's name is whatever the scene says: bytes that are not UTF-8 become U+FFFD rather than an exception.
-    return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    file.frames = frames_;
+    return file;
 }
 
 double peakHostMemoryMebibytes() {

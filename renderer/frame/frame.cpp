@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "error.h"
+#include "frame/read_aovs.h"
+#include "frame/record.h"
+#include "frame/volume_diagnostics.h"
 #include "gpu/profiler.h"
 #include "shading/gbuffer.h"
 #include "shading/lights.h"
@@ -17,7 +21,6 @@
 #include "shadow/geometry.h"
 #include "shadow/layers.h"
 #include "shadow/masks.h"
-#include "shadow/overdraw.h"
 
 namespace umbrage {
 namespace {
@@ -67,10 +70,11 @@ struct FrameRenderer::Impl {
     std::unique_ptr<SilhouetteTechnique> technique;
     Silhouettes silhouettes;
     LayerBound layerBound{geometry};
-    VolumeRenderer volumes;
+    VolumeRenderer volumes{settings.samples};
+    VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
+    AovReader aovs{scene, geometry, materials, surfaces, gbuffer, resolve};
     std::vector<Geometry::Bounds> boxes;  // per instance, in the world, this frame
     std::unique_ptr<Masks> masks;         // made anew when the number of groups of lights grows
-    std::unique_ptr<Overdraw> overdraw;   // on first use
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
     Eye eye;                           // of the last frame
     std::vector<std::size_t> shining;  // its lights that are on, as positions in the moment's list
@@ -91,13 +95,10 @@ struct FrameRenderer::Impl {
     void uploadView(const std::vector<const PlacedLight*>& lights);
     CountSettings findCasters(bool halve);
     void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
-    void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs, int frame,
-                     Statistics& statistics, const PlanesOf& planesOf);
+    void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
+                     FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
     void readSamples(FramePixels& pixels);
-    void recordLight(const std::string& id, std::uint32_t l, const VolumeTotals& totals, int frame,
-                     Statistics& statistics) const;
-    void recordFrame(const Moment& moment, int frame, Statistics& statistics) const;
 };
 
 void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& lights) {
@@ -165,12 +166,11 @@ void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vec
 }
 
 void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
-                                      int frame, Statistics& statistics, const PlanesOf& planesOf) {
+                                      FrameRecorder& recorder, const PlanesOf& planesOf) {
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
     const CountSettings countSettings = findCasters(halve);
     masks->clear();
-    if (outputs.overdraw) overdraw->clear();
     // Also without any light there is one sweep: it sets up the triangles' planes.
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
         const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
@@ -186,7 +186,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
-            const std::vector<CountPlan> plans =
+            std::vector<CountPlan> plans =
                 planCounts(silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings);
             LightPlanes& planes = planesOf(lights[first + l]);
             for (const CountPlan& plan : plans) {
@@ -194,14 +194,12 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
                 if (outputs.counts) addCounts(masks->readCounts(plan), plan.wide, planes);
             }
             profiler.pass(gpu::Profiler::kNoPass);
-            VolumeTotals totals;
-            if (outputs.overdraw) {
-                totals = overdraw->add(plans, volumes, geometry, silhouettes, group, l);
-            } else if (outputs.figures) {
-                totals = countVolumeSamples(gbuffer.depthOnly, plans, volumes, geometry, silhouettes, group, l);
+            if (VolumeDiagnostics::wanted(outputs)) {
+                diagnostics.light(std::move(plans), group, l, shining[first + l], halve, planes, recorder);
             }
-            if (outputs.figures) recordLight(planes.id, l, totals, frame, statistics);
+            if (outputs.wants("silhouette")) planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, l);
         }
+        diagnostics.endGroup(group);
     }
 }
 
@@ -235,38 +233,6 @@ void FrameRenderer::Impl::readSamples(FramePixels& pixels) {
     for (LightPlanes& planes : pixels.lights) planes.reaches.resize(pixels.seen.triangles.size());
 }
 
-void FrameRenderer::Impl::recordLight(const std::string& id, std::uint32_t l, const VolumeTotals& totals, int frame,
-                                      Statistics& statistics) const {
-    const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
-    double quads = 0, eyeConstant = 0, byFail = 0, skipped = 0;
-    for (const gpu::DrawCommand& list : summary.lists) quads += list.count / 6;
-    for (const std::uint32_t layers : summary.eyeInside) eyeConstant += layers;
-    for (const gpu::CasterState& caster : silhouettes.hostCasters) {
-        byFail += caster.countedByFail >> l & 1u;
-        skipped += caster.outOfReach >> l & 1u;
-    }
-    statistics.record(frame, id, "triangles.facing", summary.litTriangles);
-    statistics.record(frame, id, "edges.silhouette", summary.silhouetteEdges);
-    statistics.record(frame, id, "quads", quads);
-    statistics.record(frame, id, "eye.constant", eyeConstant);
-    statistics.record(frame, id, "casters.zfail", byFail);
-    statistics.record(frame, id, "casters.outOfReach", skipped);
-    statistics.record(frame, id, "overdraw.fragments", double(totals.fragments));
-    statistics.record(frame, id, "overdraw.updates", double(totals.updates));
-}
-
-void FrameRenderer::Impl::recordFrame(const Moment& moment, int frame, Statistics& statistics) const {
-    double triangles = 0, edges = 0;
-    for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
-        const MeshTopology& topology = geometry.topologies()[geometry.meshOf(i)];
-        for (const bool casts : topology.casts) triangles += casts;
-        edges += topology.figures.edges;
-    }
-    statistics.record(frame, "", "triangles", triangles);
-    statistics.record(frame, "", "edges", edges);
-    statistics.record(frame, "", "lights.skipped", double(moment.lights.size() - shining.size()));
-}
-
 FrameRenderer::FrameRenderer(const Scene& scene, const Moment& first, const FrameSettings& settings,
                              const gpu::Context& context)
     : impl_(std::make_unique<Impl>(scene, first, settings, context)) {
@@ -295,7 +261,7 @@ std::vector<float> FrameRenderer::shadeAgain(const std::vector<std::vector<std::
 }
 
 FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& camera, const FrameOutputs& outputs,
-                                  int frame, Statistics& statistics) {
+                                  int frame, Statistics& statistics, const PlacedMoment* before) {
     Impl& r = *impl_;
     r.eye = makeEye(camera, r.settings.width, r.settings.height);
     r.shining = lightsThatShine(moment);
@@ -313,41 +279,28 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     const PlanesOf planesOf = [&](const PlacedLight* light) -> LightPlanes& {
         return pixels.lights[std::size_t(light - moment.lights.data())];
     };
-    if (outputs.overdraw && !r.overdraw) r.overdraw = std::make_unique<Overdraw>(r.gbuffer.depthStencil);
+    r.diagnostics.begin(outputs, pixels);
+    const FrameRecorder::Picture picture{r.settings.width, r.settings.height, r.settings.samples};
+    FrameRecorder recorder(r.scene, moment, r.geometry, picture, frame, statistics);
 
     r.begin("time.position");
+    if (outputs.wants("motion")) r.aovs.placeBefore(before ? *before : PlacedMoment{moment, camera}, eye);
     r.geometry.update(r.scene, moment, eye);
     r.uploadView(lights);
     r.begin("time.gbuffer");
     r.gbuffer.begin(eye.emptyDepth());
     r.surfaces.drawOpaque(r.geometry, r.materials);
-    r.castShadows(lights, outputs, frame, statistics, planesOf);
-    pixels.radiance = r.shade();
+    r.castShadows(lights, outputs, recorder, planesOf);
+    r.diagnostics.finish(r.scene, moment);
+    if (outputs.radiance) pixels.radiance = r.shade();
     gpu::checkGl("while rendering");
     r.profiler.pass(gpu::Profiler::kNoPass);
 
-    if (outputs.geometry) {
-        const glm::mat3 worldFromView(eye.worldFromView);
-        pixels.normalAndDepth = r.resolve.readNormalAndDepth(r.gbuffer, *r.masks, r.silhouettes, worldFromView);
-    }
-    if (outputs.shadows) {
-        for (std::uint32_t first = 0; first < lights.size(); first += 4) {
-            const std::vector<float> four = r.resolve.readShadows(r.gbuffer, *r.masks, r.silhouettes, first);
-            for (std::size_t l = first; l < std::min<std::size_t>(first + 4, lights.size()); ++l) {
-                std::vector<float>& shadow = planesOf(lights[l]).shadow;
-                for (std::size_t i = 0; i < shadow.size(); ++i) shadow[i] = four[4 * i + l - first];
-            }
-        }
-    }
-    if (outputs.overdraw) {
-        pixels.overdrawFragments = r.overdraw->readFragments();
-        pixels.overdrawUpdates = r.overdraw->readUpdates();
-    }
+    r.aovs.read(outputs, *r.masks, r.silhouettes, eye, r.shining, pixels);
     if (outputs.samples) r.readSamples(pixels);
-    if (outputs.figures) r.recordFrame(moment, frame, statistics);
-    for (const auto& [pass, milliseconds] : r.profiler.collect()) {
-        statistics.record(frame, "", Counter::at(std::size_t(pass)), milliseconds);
-    }
+    if (outputs.figures && outputs.scene) recorder.scene(pixels.scene);
+    if (outputs.figures) recorder.finish(moment.lights.size() - lights.size());
+    for (const auto& [pass, milliseconds] : r.profiler.collect()) pixels.milliseconds[std::size_t(pass)] = milliseconds;
     return pixels;
 }
 

@@ -3,13 +3,16 @@
 // FrameRenderer::render() reads like that line.
 #pragma once
 
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "diagnostics/statistics.h"
 #include "gpu/context.h"
 #include "scene/moment.h"
+#include "shading/again.h"
 #include "shadow/fault.h"
 #include "shadow/geometry.h"
 #include "shadow/silhouette.h"
@@ -34,11 +37,26 @@ struct FrameSettings {
 
 /// What is read back, beside the picture. Nothing asked for, nothing paid.
 struct FrameOutputs {
+    bool radiance = true;   // the picture
     bool geometry = false;  // normals and depth
     bool shadows = false, counts = false, overdraw = false;
-    bool figures = false;  // counters into Statistics
-    bool samples = false;  // every sample by itself, for the judge
+    bool scene = false;                       // how often opaque surfaces touch each pixel
+    std::set<std::string, std::less<>> aovs;  // of job/aovs.h, those without a flag here
+    bool hulls = false;                       // what the shadow volumes look like
+    bool topCasters = false;                  // whose volumes fill most
+    bool figures = false;                     // counters into Statistics
+    bool samples = false;                     // every sample by itself, for the judge
+
+    bool wants(std::string_view aov) const { return aovs.contains(aov); }
 };
+
+/// An AOV: `components` values a pixel, rows from the top.
+struct AovPlane {
+    std::vector<float> values;
+    std::vector<std::uint32_t> integers;  // instead, of those that are
+    int components = 1;
+};
+using AovPlanes = std::map<std::string, AovPlane, std::less<>>;  // by name, as in FrameOutputs::aovs
 
 /// Planes are width x height, rows from the top.
 struct LightPlanes {
@@ -47,6 +65,14 @@ struct LightPlanes {
     std::vector<std::uint32_t> counts;  // shadow volumes that hold the surface point, modulo 256 unless countsAreWide
     bool countsAreWide = false;
     std::vector<std::uint8_t> reaches;  // as `shadow`, of every sample: sample after sample
+    AovPlanes aovs;                     // those with channels for each light
+};
+
+/// One of those whose volumes have the most fragments.
+struct TopCaster {
+    std::string path;           // of its node
+    double fragments = 0.0;     // samples, of all lights
+    std::vector<float> pixels;  // fragments at each pixel
 };
 
 /// What is seen at every sample, and where it lies in its pixel (from the upper left corner).
@@ -61,7 +87,18 @@ struct FramePixels {
     std::vector<float> normalAndDepth;  // world normal, distance along the view axis
     std::vector<LightPlanes> lights;    // of the moment, in its order; zero where a light is off
     std::vector<float> overdrawFragments, overdrawUpdates;
+    SceneFragments scene;
+    std::vector<float> hulls;           // RGBA: see shadow/hulls.h, in display values
+    std::vector<TopCaster> topCasters;  // ten at most, the one that fills most first
+    AovPlanes aovs;                     // the others
     SeenSamples seen;
+    std::map<std::size_t, double> milliseconds;  // per pass, by its counter's place; only when profiled
+};
+
+/// A moment and the camera that sees it.
+struct PlacedMoment {
+    Moment moment;
+    PlacedCamera camera;
 };
 
 class FrameRenderer {
@@ -71,8 +108,9 @@ public:
     FrameRenderer(const Scene& scene, const Moment& first, const FrameSettings& settings, const gpu::Context& context);
     ~FrameRenderer();
 
+    /// @param before  for the AOV motion; without it nothing has moved
     FramePixels render(const Moment& moment, const PlacedCamera& camera, const FrameOutputs& outputs, int frame,
-                       Statistics& statistics);
+                       Statistics& statistics, const PlacedMoment* before = nullptr);
 
     /// The picture of the last render() with other masks: `reaches` per light of the moment, as in LightPlanes.
     std::vector<float> shadeAgain(const std::vector<std::vector<std::uint8_t>>& reaches);

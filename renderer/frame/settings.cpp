@@ -23,6 +23,13 @@ Technique techniqueOf(const Job& job) {
     return {chosen(job.shadow.silhouette, "compute"), chosen(job.shadow.count, "z-pass")};
 }
 
+Technique techniqueAgainst(const Job& job) {
+    const std::string& name = job.diagnostics.against;
+    if (name != "auto") return {name.substr(0, name.find(':')), name.substr(name.find(':') + 1)};
+    const Technique own = techniqueOf(job);
+    return {own.silhouette, own.count == "z-fail" ? "z-pass" : "z-fail"};
+}
+
 void choose(const Technique& technique, FrameSettings& settings) {
     settings.silhouette = technique.silhouette;
     settings.count = technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;

@@ -20,6 +20,9 @@ struct Technique {
 /// The job's, with `auto` resolved.
 Technique techniqueOf(const Job& job);
 
+/// What the overlay `techniques` compares it with: the job's choice, or the same silhouettes counted the other way.
+Technique techniqueAgainst(const Job& job);
+
 void choose(const Technique& technique, FrameSettings& settings);
 
 FrameSettings settingsOf(const Job& job, const Composition& composition);

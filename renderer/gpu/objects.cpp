@@ -35,7 +35,9 @@ void checkGl(const std::string& doing) {
                 "a smaller picture, fewer samples or fewer lights need less");
 }
 
-Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data) : sizeBytes_(sizeBytes) {
+Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data)
+    : allocation_(sizeBytes), sizeBytes_(sizeBytes) {
+    if (data) activity().uploadedBytes += sizeBytes;
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<deleteBuffer>(name);
@@ -47,6 +49,7 @@ Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data) : siz
 }
 
 void Buffer::write(std::size_t offsetBytes, std::size_t sizeBytes, const void* data) {
+    activity().uploadedBytes += sizeBytes;
     if (sizeBytes) glNamedBufferSubData(name(), GLintptr(offsetBytes), GLsizeiptr(sizeBytes), data);
 }
 
@@ -67,6 +70,7 @@ void Buffer::bindUniform(GLuint binding, std::size_t offsetBytes, std::size_t si
 }
 
 void Buffer::read(std::size_t offsetBytes, std::size_t sizeBytes, void* data) const {
+    activity().readBackBytes += sizeBytes;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glGetNamedBufferSubData(name(), GLintptr(offsetBytes), GLsizeiptr(sizeBytes), data);
 }
@@ -77,7 +81,16 @@ bool Buffer::reserve(const char* label, std::size_t sizeBytes) {
     return true;
 }
 
-Texture::Texture(const char* label, GLenum internalFormat, const Size& size) : size_(size) {
+static std::uint64_t bytesOf(GLenum internalFormat, const Texture::Size& size) {
+    std::uint64_t texels = 0;
+    for (int level = 0; level < size.levels; ++level) {
+        texels += std::uint64_t(std::max(1, size.width >> level)) * std::uint64_t(std::max(1, size.height >> level));
+    }
+    return texels * std::uint64_t(std::max(1, size.layers) * size.samples) * bytesOfTexel(internalFormat);
+}
+
+Texture::Texture(const char* label, GLenum internalFormat, const Size& size)
+    : allocation_(bytesOf(internalFormat, size)), size_(size) {
     const bool array = size.layers > 0, multisample = size.samples > 1;
     const GLenum target = multisample ? (array ? GL_TEXTURE_2D_MULTISAMPLE_ARRAY : GL_TEXTURE_2D_MULTISAMPLE)
                                       : (array ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D);
@@ -139,6 +152,7 @@ Framebuffer::Framebuffer(const char* label, std::span<const Attachment> colors, 
 }
 
 void Framebuffer::bind() const {
+    ++activity().stateChanges;
     glBindFramebuffer(GL_FRAMEBUFFER, name());
     constexpr float kScale = float(VIEWPORT_SCALE);
     const float width = float(width_), height = float(height_);

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/activity.h"
+
 namespace umbrage::gpu {
 
 /// A GL name that is deleted with its owner. `Delete` is called with the name when it is not 0.
@@ -79,6 +81,7 @@ public:
 
 private:
     Handle<deleteBuffer> handle_;
+    Allocation allocation_;
     std::size_t sizeBytes_ = 0;
 };
 
@@ -100,6 +103,7 @@ public:
 
 private:
     Handle<deleteTexture> handle_;
+    Allocation allocation_;
     Size size_;
 };
 

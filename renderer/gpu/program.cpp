@@ -87,6 +87,7 @@ GLuint Program::name() const {
 void Program::dispatchGroups(GLuint groupCount) const {
     if (groupCount == 0) return;
     use();
+    ++activity().dispatches;
     glDispatchCompute(std::min(groupCount, GROUP_ROW), (groupCount + GROUP_ROW - 1) / GROUP_ROW, 1);
 }
 

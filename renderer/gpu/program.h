@@ -5,9 +5,9 @@
 
 #include <epoxy/gl.h>
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gpu/objects.h"
@@ -18,16 +18,19 @@ void deleteProgram(GLuint name);
 
 class Program {
 public:
-    using Defines = std::initializer_list<std::string>;  // "SAMPLES 4"
+    using Defines = std::vector<std::string>;  // "SAMPLES 4"
 
     Program() = default;
     /// A compute shader, or a vertex shader with or without a fragment shader. Compiled on first use: a run pays only
     /// for the passes it needs.
     explicit Program(std::string_view computeOrVertex, std::string_view fragment = {}, Defines defines = {})
-        : shaders_{std::string(computeOrVertex), std::string(fragment)}, defines_(defines) {}
+        : shaders_{std::string(computeOrVertex), std::string(fragment)}, defines_(std::move(defines)) {}
 
     GLuint name() const;
-    void use() const { glUseProgram(name()); }
+    void use() const {
+        ++activity().stateChanges;
+        glUseProgram(name());
+    }
     void uniform(GLint location, GLuint value) const { glProgramUniform1ui(name(), location, value); }
     void uniform(GLint location, GLint value) const { glProgramUniform1i(name(), location, value); }
     void uniform(GLint location, GLfloat value) const { glProgramUniform1f(name(), location, value); }
@@ -37,7 +40,7 @@ public:
 
 private:
     std::string shaders_[2];
-    std::vector<std::string> defines_;
+    Defines defines_;
     mutable Handle<deleteProgram> handle_;
 };
 

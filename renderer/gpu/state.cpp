@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/state.h"
 
+#include "gpu/activity.h"
+
 namespace umbrage::gpu {
 namespace {
 
@@ -43,6 +45,7 @@ void applyColor(ColorOp color) {
 }  // namespace
 
 void apply(const RasterState& state) {
+    ++activity().stateChanges;
     enable(GL_DEPTH_TEST, state.depth != Depth::Off);
     glDepthFunc(depthFunction(state.depth));
     glDepthMask(state.depthWrite);
@@ -53,6 +56,7 @@ void apply(const RasterState& state) {
     glMinSampleShading(1.0f);
     enable(GL_CULL_FACE, state.cull != Cull::None);
     glCullFace(state.cull == Cull::Front ? GL_FRONT : GL_BACK);
+    glPolygonMode(GL_FRONT_AND_BACK, state.lines ? GL_LINE : GL_FILL);
     glFrontFace(state.frontIsClockwise ? GL_CW : GL_CCW);
     applyStencil(state.stencil);
     applyColor(state.color);

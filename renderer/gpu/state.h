@@ -27,6 +27,7 @@ struct RasterState {
     Cull cull = Cull::None;
     bool frontIsClockwise = false;
     bool everySample = false;  // run the fragment shader for each sample
+    bool lines = false;        // only the borders of triangles
     ColorOp color = ColorOp::Off;
     Stencil stencil;
 };

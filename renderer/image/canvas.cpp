@@ -25,18 +25,27 @@ void Canvas::set(int x, int y, const Rgb8& color) {
     std::copy(color.begin(), color.end(), picture_.rgb.begin() + (std::ptrdiff_t(y) * width() + x) * 3);
 }
 
+void Canvas::blend(int x, int y, const Rgb8& color, float coverage) {
+    const std::uint8_t* below = &picture_.rgb[(std::size_t(y) * std::size_t(width()) + std::size_t(x)) * 3];
+    Rgb8 result;
+    for (std::size_t c = 0; c < 3; ++c) {
+        result[c] = static_cast<std::uint8_t>(std::lround(below[c] + (color[c] - below[c]) * coverage));
+    }
+    set(x, y, result);
+}
+
 void Canvas::fill(int x, int y, int width, int height, const Rgb8& color) {
     for (int row = y; row < y + height; ++row) {
         for (int column = x; column < x + width; ++column) set(column, row, color);
     }
 }
 
-void Canvas::text(int x, int y, int scale, std::string_view line) {
+void Canvas::text(int x, int y, int scale, std::string_view line, const Rgb8& color) {
     for (std::size_t i = 0; i < line.size(); ++i) {
         const int left = x + static_cast<int>(i) * kGlyphAdvance * scale;
         for (int gy = 0; gy < kGlyphHeight; ++gy) {
             for (int gx = 0; gx < kGlyphWidth; ++gx) {
-                if (glyphCovers(line[i], gx, gy)) fill(left + gx * scale, y + gy * scale, scale, scale, kInk);
+                if (glyphCovers(line[i], gx, gy)) fill(left + gx * scale, y + gy * scale, scale, scale, color);
             }
         }
     }

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "image/false_color.h"
@@ -29,14 +30,17 @@ struct RgbPicture {
 class Canvas {
 public:
     Canvas(int width, int height);
+    explicit Canvas(RgbPicture picture) : picture_(std::move(picture)) {}
 
     int width() const { return picture_.width; }
     int height() const { return picture_.height; }
 
     void set(int x, int y, const Rgb8& color);
+    /// @param coverage  0: nothing changes, 1: as set()
+    void blend(int x, int y, const Rgb8& color, float coverage);
     void fill(int x, int y, int width, int height, const Rgb8& color);
-    /// In kInk, with the upper left corner at (x, y); `scale` pixels for one of the font's.
-    void text(int x, int y, int scale, std::string_view line);
+    /// With the upper left corner at (x, y); `scale` pixels for one of the font's.
+    void text(int x, int y, int scale, std::string_view line, const Rgb8& color = kInk);
     void centredText(int centre, int y, int scale, std::string_view line);
 
     RgbPicture take() && { return std::move(picture_); }

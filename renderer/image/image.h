@@ -74,6 +74,9 @@ public:
     /// @throws Error(Output)
     virtual void write(const std::filesystem::path& file, const ImageFile& image) const = 0;
 
+    /// What write() would put into a .png, for those who put it elsewhere. @throws Error(Output)
+    virtual std::string png(const ImageFile& image) const = 0;
+
     /// @throws Error(Input) that lists what the configuration offers
     virtual std::unique_ptr<DisplayTransform> displayTransform(const ColorRequest& request) const = 0;
 };

@@ -136,19 +136,27 @@ struct Job {
     } color;
 
     struct Diagnostics {
-        std::vector<std::string> overlays;  // stencil, overdraw
-        bool profile = false;               // time each pass (T15)
+        std::vector<std::string> overlays;
+        std::string against = "auto";  // technique that the overlay `techniques` compares with
+        bool burnIn = false;           // frame, technique and maximum in a corner of overlays
+        bool profile = false;          // time each pass (T15)
+        int repeats = 1;               // of each frame: times are medians
+        bool only = false;             // nothing is shaded, the picture is not written
     } diagnostics;
 
     struct Output {
         std::string path = "{aov}.{frame:04}.{ext}";                 // resolved against the sequence file's folder
         std::map<std::string, std::string> aovs{{"beauty", "png"}};  // AOV name -> file kind
+        std::string layers;  // one EXR for all AOVs that are written as such; empty: one for each
         int pngBits = 8;
-        bool exrHalf = true;  // beauty and normal as half; depth, counts and masks keep their own types
+        bool exrHalf = true;  // colours and normals as half; depth, counts and masks keep their own types
     } output;
 
     struct Statistics {
         std::string path;  // .json or .csv; empty: none
+        std::string page;  // .html; empty: none
+
+        bool isWanted() const { return !path.empty() || !page.empty(); }
     } statistics;
 };
 

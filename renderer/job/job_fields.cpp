@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "job/job_fields.h"
 
+#include <fmt/ranges.h>
+
+#include "job/aovs.h"
 #include "job/job_types.h"
 #include "job/names.h"
 
@@ -135,6 +138,12 @@ Type<Job::Color> colorSettings() {
         });
 }
 
+std::vector<std::string> techniquesOrAuto() {
+    std::vector<std::string> names{"auto"};
+    names.insert(names.end(), kTechniques.begin(), kTechniques.end());
+    return names;
+}
+
 Type<Job::Diagnostics> diagnosticsSettings() {
     using Diagnostics = Job::Diagnostics;
     return mapping<Diagnostics>(
@@ -142,8 +151,17 @@ Type<Job::Diagnostics> diagnosticsSettings() {
         {
             field<Diagnostics>("overlays", listOf(choice(namesOf(kOverlays)), "a list of overlays"),
                                &Diagnostics::overlays, "Pictures with a legend: " + meaningsOf(kOverlays)),
+            field<Diagnostics>(
+                "against", choice(techniquesOrAuto()), &Diagnostics::against,
+                "What the overlay techniques compares with; auto: the same silhouettes counted the other way"),
+            field<Diagnostics>("burnIn", boolean(), &Diagnostics::burnIn,
+                               "Writes frame, technique and largest value into a corner of each overlay"),
             field<Diagnostics>("profile", boolean(), &Diagnostics::profile,
                                "Measures each pass; slower, because every pass is waited for"),
+            field<Diagnostics>("repeats", integer(between(1, 1000)), &Diagnostics::repeats,
+                               "Renders each frame as often; times are medians"),
+            field<Diagnostics>("only", boolean(), &Diagnostics::only,
+                               "Shades nothing and writes no beauty picture: overlays are on black"),
         });
 }
 
@@ -154,7 +172,7 @@ Type<Aovs> aovs() {
     Type<Aovs> type = converted<Aovs>(
         asWritten,
         [](const Aovs& kinds, const YamlNode& node) {
-            for (const AovName& aov : kAovs) {
+            for (const AovInfo& aov : kAovs) {
                 const YamlNode* kind = node.find(aov.name);
                 if (kind && !aov.isPicture && kinds.at(std::string(aov.name)) == "png")
                     refuse(*kind, fmt::format("{} is data, which PNG would cut to [0, 1]", aov.name), "write exr");
@@ -163,8 +181,9 @@ Type<Aovs> aovs() {
         },
         [](const Aovs& kinds) { return kinds; });
     Json patterns = Json::object();
-    for (const AovName& aov : kAovs)
-        patterns[fmt::format("^{}$", aov.name)] = {{"enum", aov.isPicture ? Json{"png", "exr"} : Json{"exr"}}};
+    for (const AovInfo& aov : kAovs)
+        patterns[fmt::format("^{}$", aov.name)] = {{"enum", aov.isPicture ? Json{"png", "exr"} : Json{"exr"}},
+                                                   {"description", aov.meaning}};
     type.schema = {{"type", "object"}, {"patternProperties", patterns}, {"additionalProperties", false}};
     return type;
 }
@@ -177,24 +196,39 @@ Type<Job::Output> outputSettings() {
             field<Output>("path", text("a path with fields"), &Output::path,
                           "Name of each file, from this file's folder. Fields: {aov}, {frame} or {frame:04} (digits), "
                           "{ext}, {scene} (this file's name); {{ and }} are braces"),
-            field<Output>("aovs", aovs(), &Output::aovs, "What is written, data only as exr: " + meaningsOf(kAovs)),
+            field<Output>("aovs", aovs(), &Output::aovs,
+                          fmt::format("What is written, data only as exr (docs/aovs.md says what each is): {}",
+                                      fmt::join(namesOf(kAovs), ", "))),
+            field<Output>("layers", text("a path with fields that ends with .exr"), &Output::layers,
+                          "One file for all AOVs that are asked for as exr, as layers, instead of one for each; "
+                          "fields as in path, without {aov} and {ext}")
+                .unset("none is written"),
             field<Output>("pngBits", oneOf({8, 16}), &Output::pngBits, "Bits a channel of PNG files"),
-            field<Output>("exrHalf", boolean(), &Output::exrHalf, "off: beauty and normal as 32-bit floats"),
+            field<Output>("exrHalf", boolean(), &Output::exrHalf, "off: colours and normals as 32-bit floats"),
         });
+}
+
+/// A path that ends with one of these.
+Type<std::string> fileName(const std::string& name, const std::vector<std::string>& endings) {
+    const std::string what = fmt::format("a path that ends with {}", fmt::join(endings, " or "));
+    return converted<std::string>(
+        text(what),
+        [=](const std::string& value, const YamlNode& node) {
+            const auto ends = [&](const std::string& ending) { return value.ends_with(ending); };
+            if (std::none_of(endings.begin(), endings.end(), ends)) refuseType(node, name, what);
+            return value;
+        },
+        [](const std::string& value) { return value; });
 }
 
 Type<Job::Statistics> statisticsSettings() {
     using Statistics = Job::Statistics;
-    const auto path = converted<std::string>(
-        text("a path that ends with .json or .csv"),
-        [](const std::string& value, const YamlNode& node) {
-            if (!value.ends_with(".json") && !value.ends_with(".csv"))
-                refuseType(node, "path", "a path that ends with .json or .csv");
-            return value;
-        },
-        [](const std::string& value) { return value; });
-    return mapping<Statistics>("statistics", "Numbers per frame and light.",
-                               {field<Statistics>("path", path, &Statistics::path, "The file, from this file's folder")
+    return mapping<Statistics>("statistics", "Numbers per frame, light and shadow caster: docs/statistics.md.",
+                               {field<Statistics>("path", fileName("path", {".json", ".csv"}), &Statistics::path,
+                                                  "The file, from this file's folder")
+                                    .unset("none is written"),
+                                field<Statistics>("page", fileName("page", {".html"}), &Statistics::page,
+                                                  "The same as a page to look at, with thumbnails, in one file")
                                     .unset("none is written")});
 }
 

@@ -19,10 +19,10 @@ std::filesystem::path resolved(const std::filesystem::path& folder, const std::f
     return (folder / path).lexically_normal();  // an absolute path replaces the folder
 }
 
-// Where output.path stands, or what is nearest to it.
-std::string outputPlace(const YamlNode& root) {
+// Where a key of output: stands, or what is nearest to it.
+std::string outputPlace(const YamlNode& root, const char* key) {
     const YamlNode* output = root.find("output");
-    const YamlNode* path = output ? output->find("path") : nullptr;
+    const YamlNode* path = output ? output->find(key) : nullptr;
     return (path ? path : output ? output : &root)->place.text();
 }
 
@@ -39,9 +39,13 @@ Job jobFromTree(YamlNode root, const std::filesystem::path& file, const std::fil
     job.file = file;
     job.time.wholeAnimation = overrides.wholeAnimation;
     for (GltfLayer& layer : job.gltfLayers) layer.file.value = resolved(folder, layer.file.value);
-    checkOutputPath(job, outputPlace(root));
+    checkOutputPath(job, outputPlace(root, "path"));
+    checkLayersPath(job, outputPlace(root, "layers"));
     job.output.path = outputTemplateIn(folder, job.output.path);
-    if (!job.statistics.path.empty()) job.statistics.path = resolved(folder, job.statistics.path).string();
+    if (!job.output.layers.empty()) job.output.layers = outputTemplateIn(folder, job.output.layers);
+    for (std::string* path : {&job.statistics.path, &job.statistics.page}) {
+        if (!path->empty()) *path = resolved(folder, *path).string();
+    }
     if (!job.color.config.empty()) job.color.config = resolved(folder, job.color.config).string();
     return job;
 }

@@ -65,48 +65,93 @@ std::vector<Piece> piecesOf(const std::string& path, const std::string& where) {
     return pieces;
 }
 
+bool has(const std::vector<Piece>& pieces, const char* field) {
+    return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.isField && p.text == field; });
+}
+
+/// Throws unless a template for several images tells them apart.
+void require(bool present, const std::string& where, const char* field, const std::string& reason, const char* hint) {
+    if (present) return;
+    throw Error(ErrorKind::Input, where, fmt::format("the output path has no {{{}}}, but {}", field, reason), hint);
+}
+
+void requireFrame(const Job& job, const std::vector<Piece>& pieces, const std::string& where) {
+    const std::size_t frameCount = job.time.frames.frames().size();
+    if (frameCount <= 1 && !job.time.wholeAnimation) return;
+    const std::string count = job.time.wholeAnimation ? "all" : std::to_string(frameCount);
+    require(has(pieces, "frame"), where, "frame", fmt::format("{} frames would have this name", count),
+            "add {frame:04}");
+}
+
+/// The template's folder replaced by `folder`, as far as it is the same for all images.
+std::string redirected(const std::string& path, const std::filesystem::path& folder, const char* where) {
+    std::size_t kept = path.rfind('/') + 1;  // 0 without one
+    for (const Piece& piece : piecesOf(path, where))
+        if (piece.isField && piece.text != "scene") kept = std::min(kept, path.rfind('/', piece.begin) + 1);
+    return outputTemplateIn(folder, path.substr(kept));
+}
+
+std::filesystem::path filled(const std::string& path, const char* where, const Job& job, const std::string& aov,
+                             int frame, const std::string& ext) {
+    std::string name;
+    for (const Piece& piece : piecesOf(path, where)) {
+        if (!piece.isField)
+            name += piece.text;
+        else if (piece.text == "aov")
+            name += aov;
+        else if (piece.text == "frame")
+            name += fmt::format("{:0{}}", frame, piece.digits);
+        else if (piece.text == "ext")
+            name += ext;
+        else
+            name += job.file.stem().string();
+    }
+    return name;
+}
+
 }  // namespace
 
 std::filesystem::path outputPath(const Job& job, const std::string& aov, int frame, const std::string& ext) {
-    std::string path;
-    for (const Piece& piece : piecesOf(job.output.path, "output.path")) {
-        if (!piece.isField)
-            path += piece.text;
-        else if (piece.text == "aov")
-            path += aov;
-        else if (piece.text == "frame")
-            path += fmt::format("{:0{}}", frame, piece.digits);
-        else if (piece.text == "ext")
-            path += ext;
-        else
-            path += job.file.stem().string();
-    }
-    return path;
+    return filled(job.output.path, "output.path", job, aov, frame, ext);
+}
+
+std::filesystem::path layersPath(const Job& job, int frame) {
+    return filled(job.output.layers, "output.layers", job, "", frame, "");
 }
 
 void checkOutputPath(const Job& job, const std::string& where) {
     const std::vector<Piece> pieces = piecesOf(job.output.path, where);
-    const auto has = [&](const char* name) {
-        return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) { return p.isField && p.text == name; });
-    };
-    const auto require = [&](const char* name, const std::string& reason, const char* hint) {
-        if (!has(name))
-            throw Error(ErrorKind::Input, where, fmt::format("the output path has no {{{}}}, but {}", name, reason),
-                        hint);
-    };
-    const std::size_t frameCount = job.time.frames.frames().size();
-    if (frameCount > 1 || job.time.wholeAnimation) {
-        const std::string count = job.time.wholeAnimation ? "all" : std::to_string(frameCount);
-        require("frame", fmt::format("{} frames would have this name", count), "add {frame:04}");
-    }
-    const std::size_t imageCount = job.output.aovs.size() + job.diagnostics.overlays.size();
-    if (imageCount > 1) require("aov", fmt::format("{} images would have this name", imageCount), "add {aov}");
+    requireFrame(job, pieces, where);
+    const auto ofItsOwn = [&](const auto& aov) { return aov.second != "exr" || job.output.layers.empty(); };
+    const auto imageCount = std::count_if(job.output.aovs.begin(), job.output.aovs.end(), ofItsOwn) +
+                            std::ptrdiff_t(job.diagnostics.overlays.size());
+    if (imageCount > 1)
+        require(has(pieces, "aov"), where, "aov", fmt::format("{} images would have this name", imageCount),
+                "add {aov}");
     const Piece& last = pieces.back();
-    for (const auto& [aov, kind] : job.output.aovs)
-        if (last.isField || !last.text.ends_with("." + kind))
-            require("ext", fmt::format("{} is written as {}", aov, kind), "end the path with .{ext}");
+    for (const auto& [aov, kind] : job.output.aovs) {
+        if (ofItsOwn(std::pair(aov, kind)) && (last.isField || !last.text.ends_with("." + kind)))
+            require(has(pieces, "ext"), where, "ext", fmt::format("{} is written as {}", aov, kind),
+                    "end the path with .{ext}");
+    }
     if (!last.isField && last.text.ends_with('/'))
         throw Error(ErrorKind::Input, where, "the output path is a folder", "add {aov}.{frame:04}.{ext}");
+}
+
+void checkLayersPath(const Job& job, const std::string& where) {
+    if (job.output.layers.empty()) return;
+    const std::vector<Piece> pieces = piecesOf(job.output.layers, where);
+    for (const char* field : {"aov", "ext"}) {
+        if (has(pieces, field))
+            throw Error(ErrorKind::Input, where, fmt::format("the file of all AOVs has no {{{}}}", field),
+                        "name it layers.{frame:04}.exr");
+    }
+    if (pieces.back().isField || !pieces.back().text.ends_with(".exr"))
+        throw Error(ErrorKind::Input, where, "only EXR files have layers", "end the path with .exr");
+    requireFrame(job, pieces, where);
+    const auto isExr = [](const auto& aov) { return aov.second == "exr"; };
+    if (std::none_of(job.output.aovs.begin(), job.output.aovs.end(), isExr))
+        throw Error(ErrorKind::Input, where, "there is no AOV for this file", "ask for some as exr in output.aovs");
 }
 
 std::string outputTemplateIn(const std::filesystem::path& folder, const std::string& relativeTemplate) {
@@ -117,13 +162,11 @@ std::string outputTemplateIn(const std::filesystem::path& folder, const std::str
 }
 
 void redirectOutput(Job& job, const std::filesystem::path& folder) {
-    const std::string path = job.output.path;
-    std::size_t kept = path.rfind('/') + 1;  // 0 without one
-    for (const Piece& piece : piecesOf(path, "output.path"))
-        if (piece.isField && piece.text != "scene") kept = std::min(kept, path.rfind('/', piece.begin) + 1);
-    job.output.path = outputTemplateIn(folder, path.substr(kept));
-    if (!job.statistics.path.empty())
-        job.statistics.path = (folder / std::filesystem::path(job.statistics.path).filename()).string();
+    job.output.path = redirected(job.output.path, folder, "output.path");
+    if (!job.output.layers.empty()) job.output.layers = redirected(job.output.layers, folder, "output.layers");
+    for (std::string* path : {&job.statistics.path, &job.statistics.page}) {
+        if (!path->empty()) *path = (folder / std::filesystem::path(*path).filename()).string();
+    }
 }
 
 }  // namespace umbrage

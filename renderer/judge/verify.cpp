@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "error.h"
+#include "job/names.h"
 #include "judge/judge.h"
 #include "judge/random_scene.h"
 #include "scene/compose.h"
@@ -89,8 +90,14 @@ private:
 }  // namespace
 
 const std::vector<Technique>& allTechniques() {
-    static const std::vector<Technique> all = {
-        {"compute", "z-pass"}, {"compute", "z-fail"}, {"cpu", "z-pass"}, {"cpu", "z-fail"}};
+    static const std::vector<Technique> all = [] {
+        std::vector<Technique> made;
+        for (const std::string_view name : kTechniques) {
+            const std::size_t colon = name.find(':');
+            made.push_back({std::string(name.substr(0, colon)), std::string(name.substr(colon + 1))});
+        }
+        return made;
+    }();
     return all;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "report/text_table.h"
 #include "report/verify_report.h"
 
 namespace umbrage {
@@ -87,13 +88,6 @@ std::vector<std::string> cellsOf(const std::vector<Column>& columns, const Verif
     return cells;
 }
 
-/// Control characters in names must not move the cursor of a terminal or end a row.
-std::string printable(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
-    return text;
-}
-
 std::string markdownCell(const std::string& text) {
     std::string escaped;
     for (const char c : printable(text)) {
@@ -103,30 +97,12 @@ std::string markdownCell(const std::string& text) {
     return escaped;
 }
 
-std::size_t shownWidth(std::string_view text) {
-    return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
-std::string alignedTable(const std::vector<Column>& columns, const std::vector<VerifySum>& sums) {
+std::string textTable(const std::vector<Column>& columns, const std::vector<VerifySum>& sums) {
     std::vector<std::vector<std::string>> rows{titlesOf(columns)};
     for (const VerifySum& sum : sums) rows.push_back(cellsOf(columns, sum));
-    std::vector<std::size_t> widths(columns.size());
-    for (std::vector<std::string>& row : rows) {
-        for (std::size_t c = 0; c < row.size(); ++c) {
-            row[c] = printable(row[c]);
-            widths[c] = std::max(widths[c], shownWidth(row[c]));
-        }
-    }
-    std::string text;
-    for (const std::vector<std::string>& row : rows) {
-        std::string line;
-        for (std::size_t c = 0; c < row.size(); ++c) {
-            const std::string blanks(widths[c] - shownWidth(row[c]), ' ');
-            line += (c > 0 ? "  " : "") + (columns[c].isText ? row[c] + blanks : blanks + row[c]);
-        }
-        text += line + "\n";
-    }
-    return text;
+    std::vector<bool> isText;
+    for (const Column& column : columns) isText.push_back(column.isText);
+    return alignedTable(rows, isText);
 }
 
 std::string markdownTable(const std::vector<Column>& columns, const std::vector<VerifySum>& sums) {
@@ -220,7 +196,7 @@ std::string conclusion(const VerifyReport& report, const VerifyHeader& header) {
 std::string VerifyReport::table(const VerifyDetail& detail) const {
     std::string text;
     const std::vector<VerifySum> rows = sums(detail);
-    if (!rows.empty()) text += alignedTable(columnsOf(detail), rows) + "\n";
+    if (!rows.empty()) text += textTable(columnsOf(detail), rows) + "\n";
     for (const std::string& line : errorLines(*this, 20)) text += "wrong: " + line + "\n";
     for (const Problem& problem : problems_) {
         text += printable(fmt::format("not judged: {}: {}", problem.sequence, problem.message)) + "\n";

@@ -5,6 +5,8 @@
 //   CAP_FAR      all others at infinite depth, where they always fail, whatever rounding does (z-fail)
 //   CAP_DARK     the projection to infinity (z-fail)
 // variant: EDGE_ON 1
+// variant: TALLY 1, EDGE_ON 1
+// variant: TALLY 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "corners.glsl"
@@ -51,6 +53,9 @@ void main() {
     uint instance = triangleChunks[placed >> CHUNK_SHIFT];
     uint triangle = placed - instances[instance].placedTriangleBase;
     if (triangle >= instances[instance].triangleCount) return;
+#ifdef TALLY
+    caster = instance;
+#endif
     uint flags = triangleFlags[instances[instance].triangleBase + triangle];
     uvec2 side = facing[facingBase + placed] & lightBit;
     bool counted = (flags & TRIANGLE_CASTS) != 0u && (side.x | side.y) != 0u;

@@ -11,6 +11,10 @@ layout(location = 2) flat out vec4 nearB;
 layout(location = 3) flat out vec4 farB;
 #endif
 
+#ifdef TALLY
+layout(location = 4) flat out uint caster;
+#endif
+
 vec4 nearCorner(uint instance, vec3 p) { return clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0); }
 
 /// The projection of p from the light to infinity.

@@ -141,7 +141,10 @@ void main() {
         bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
         append(list + (isSliver(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
                isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
-        if (countLit != 0u) atomicAdd(summaries[l].silhouetteEdges, 1u);
+        if (countLit != 0u) {
+            atomicAdd(summaries[l].silhouetteEdges, 1u);
+            if (isTwice) atomicAdd(summaries[l].doubleEdges, 1u);
+        }
         if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
             atomicOr(casters[instance].hazards, 1u << l);
         }

@@ -132,6 +132,14 @@ void countEye(uint instance, uint l, uint flags, vec3 a, vec3 b, vec3 c, vec3 n,
     if (undecided) atomicOr(casters[instance].hazards, 1u << l);
 }
 
+/// For the statistics.
+void countCaps(uint instance, uint l, uint flags, vec4 light, float side) {
+    if (side > 0.0) atomicAdd(summaries[l].litTriangles, 1u);
+    bool fail = (casters[instance].countedByFail >> l & 1u) != 0u;
+    if (fail || (flags & TRIANGLE_HOLED) != 0u || casters[instance].missing != 0u) atomicAdd(summaries[l].lightCaps, 1u);
+    if (fail && light.w != 0.0 && instances[instance].eyeInModel.w != 0.0) atomicAdd(summaries[l].darkCaps, 1u);
+}
+
 void main() {
     uint chunk = GROUP_HERE;
     if (chunk >= chunkCount) return;
@@ -170,7 +178,7 @@ void main() {
             continue;
         }
         if ((flags & TRIANGLE_CASTS) == 0u) continue;
-        if (countLit != 0u && side > 0.0) atomicAdd(summaries[l].litTriangles, 1u);
+        if (countLit != 0u) countCaps(instance, l, flags, light, side);
         counted |= bit;
         countEye(instance, l, flags, a, b, c, normal, light, side);
     }

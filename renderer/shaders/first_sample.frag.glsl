@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// One sample of a multisampled count: counts are data and never averaged.
+// One sample of a multisampled picture: counts and data are never averaged.
+// variant: INTEGERS 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-layout(binding = 0) uniform sampler2DMS counts;
-layout(location = 0) out vec4 outCount;
-void main() { outCount = texelFetch(counts, ivec2(gl_FragCoord.xy), 0); }
+#ifdef INTEGERS
+layout(binding = 0) uniform usampler2DMS samples;
+layout(location = 0) out uvec4 outFirst;
+#else
+layout(binding = 0) uniform sampler2DMS samples;
+layout(location = 0) out vec4 outFirst;
+#endif
+void main() { outFirst = texelFetch(samples, ivec2(gl_FragCoord.xy), 0); }

@@ -36,14 +36,14 @@ layout(std430, binding = BIND_PLANES) readonly buffer Planes { vec4 planes[]; };
 
 layout(location = 1) uniform uint facingStride;  // words between two groups of lights
 
-#ifdef CHOSEN_SAMPLE
+#if defined(CHOSEN_SAMPLE) || defined(FIRST_SAMPLE)
 layout(location = 5) uniform vec2 samplePosition;  // in the pixel
 #endif
 
 vec2 ndcHere() {
-#if defined(CHOSEN_SAMPLE)
+#if defined(CHOSEN_SAMPLE) || defined(FIRST_SAMPLE)
     vec2 at = floor(gl_FragCoord.xy) + samplePosition;
-#elif SAMPLES > 1 && !defined(FIRST_SAMPLE)
+#elif SAMPLES > 1
     vec2 at = floor(gl_FragCoord.xy) + gl_SamplePosition;
 #else
     vec2 at = gl_FragCoord.xy;

@@ -2,6 +2,8 @@
 // Side quads of shadow volumes: an edge (u, v) and its projection from the light to infinity (w = 0). The diagonal
 // always runs from u to v's projection, so that coincident quads are cut alike (R6).
 // variant: EDGE_ON 1
+// variant: TALLY 1, EDGE_ON 1
+// variant: TALLY 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "corners.glsl"
@@ -28,6 +30,9 @@ void main() {
     uint vertexBase = instances[instance].vertexBase;
     vec3 p = positionOf(vertexBase + (second ? edge.b : edge.a));
     gl_Position = far ? farCorner(instance, p, light) : nearCorner(instance, p);
+#ifdef TALLY
+    caster = instance;
+#endif
 #ifdef EDGE_ON
     vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
     nearA = nearCorner(instance, a);

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "gbuffer.glsl"
 #include "lights.glsl"
+#include "seen.glsl"
 
 layout(location = 0) out vec4 outRadiance;
 
@@ -21,12 +22,7 @@ void main() {
     if (properties.w > 0.5) {
         vec2 ndc = ndcHere();
         vec3 p = viewPositionAt(eyeDistance(triangle, depth, ndc), ndc);
-        Shading s;
-        s.baseColor = texelFetch(baseColorTexture, at, gbufferSample).rgb;
-        s.metallic = properties.x;
-        s.roughness = properties.y;
-        s.n = unitFromOctahedron(texelFetch(normalTexture, at, gbufferSample).rg);
-        s.v = view.perspective != 0u ? normalize(-p) : vec3(0.0, 0.0, 1.0);
+        Shading s = shadingAt(at, properties, p);
         radiance += ambient(s.baseColor, properties.z, s.n);
         for (uint group = 0u; group * LIGHTS_PER_GROUP < view.lightCount; ++group) {
             uint reaching = reachingLights(triangle, group, p);

@@ -44,6 +44,12 @@ using mat4 = glm::mat4;
 #define MORPH_FLOATS 9u  // per vertex and target: position, normal, tangent
 #define BOUNDS_WORDS 6u  // per deforming instance: least and greatest xyz, as integers in the same order
 
+// So do matrices of the frame before, for motion.
+#define BIND_PREVIOUS 13
+
+// So does the count of what volumes fill.
+#define BIND_FILL 13
+
 // So does the bound on layers (T6).
 #define BIND_LAYER_CELLS 13
 #define BIND_LAYER_BOUNDS 14
@@ -122,8 +128,11 @@ struct Edge {
 // before a quad of a kilometre, floats miss by pixels) it does so outside.
 #define VIEWPORT_SCALE 2.0
 
-// Uniform location shared by programs that differ in their vertex shader.
+// Uniform locations shared by programs that differ in their vertex shader.
 #define COUNT_FRONT_VALUE 15
+#define HULL_COLOR 12
+#define TALLY_KIND 13
+#define TALLY_FAILED 14
 
 // Kinds of caps, see cap.vert.glsl.
 #define CAP_TRUE 0
@@ -145,12 +154,29 @@ struct CasterState {
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight; as hazards
 };
 
+// Casters that are told apart in one pass.
+#define ATTRIBUTED 12
+
+// Kinds of fragments of shadow volumes.
+#define FILL_HALVED_SIDES 0  // one for two crossings where LIST_HALVED is halved
+#define FILL_SIDES 1
+#define FILL_LIGHT_CAPS 2
+#define FILL_DARK_CAPS 3
+#define FILL_KINDS 4
+
+// Per instance: the fragments of a light's volumes, by kind, facing, and the depth test.
+struct CasterFill {
+    uint passedFront[FILL_KINDS], passedBack[FILL_KINDS], failedFront[FILL_KINDS], failedBack[FILL_KINDS];
+};
+
 // What the silhouette passes say about one light.
 struct LightSummary {
     DrawCommand lists[LIST_COUNT];  // count: 6 for each quad, also beyond the capacity
     uint eyeInside[LIST_KINDS];     // layers over the eye of the casters in each list
     uint litTriangles;              // casting triangles whose front faces the light
-    uint silhouetteEdges;           // edge records with m != 0
+    uint silhouetteEdges;           // edge records with m != 0 ...
+    uint doubleEdges;               // ... of them those with |m| = 2
+    uint lightCaps, darkCaps;       // triangles drawn as caps
 };
 
 struct LightData {
@@ -182,7 +208,8 @@ struct MaterialData {
     vec4 uvRows[10];  // five textures, two rows each: (m00, m01, m02, texture coordinate set)
     uint textures;    // bit per texture present: base colour, metallic-roughness, normal, occlusion, emissive
     uint flags;
-    uint unused0, unused1;
+    uint entry;  // its place in the list of materials
+    uint unused;
     vec4 unused2[2];  // to 256 bytes, where a range of a uniform buffer may begin on every device
 };
 #define MATERIAL_UNLIT 1u

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Visible geometry: for the G-buffer, for blended surfaces and for the search for exposed back faces.
+// Visible geometry: for the G-buffer, for blended surfaces and for the search for exposed back faces; with MOTION also
+// where the eye of the frame before saw it.
+// variant: MOTION 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "geometry.glsl"
@@ -22,6 +24,12 @@ layout(location = 3) out vec4 texCoords;
 layout(location = 4) out vec4 vertexColor;
 layout(location = 5) flat out uvec3 drawn;  // instance, first placed triangle, flags
 
+#ifdef MOTION
+layout(std430, binding = BIND_PREVIOUS) readonly buffer Previous { vec4 previousViewFromModel[]; };  // 3 rows each
+layout(location = 7) in vec3 previousPosition;
+layout(location = 6) out vec3 previousViewPosition;
+#endif
+
 out gl_PerVertex {
     invariant vec4 gl_Position;
     float gl_PointSize;
@@ -40,5 +48,13 @@ void main() {
     if ((instances[instance].flags & INSTANCE_MIRRORED) != 0u) viewTangent.w = -viewTangent.w;
     texCoords = vec4(texCoord0, texCoord1);
     vertexColor = color;
+#ifdef MOTION
+    // The same expressions as above: what stands still does not move.
+    precise vec3 before;
+    before.x = dot(previousViewFromModel[3u * instance], vec4(previousPosition, 1.0));
+    before.y = dot(previousViewFromModel[3u * instance + 1u], vec4(previousPosition, 1.0));
+    before.z = dot(previousViewFromModel[3u * instance + 2u], vec4(previousPosition, 1.0));
+    previousViewPosition = before;
+#endif
     drawn = uvec3(instance, draws[draw].firstPlacedTriangle, draws[draw].flags);
 }

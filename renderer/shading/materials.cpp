@@ -155,6 +155,7 @@ Materials::Materials(const Scene& scene) : materials_(scene.materials) {
     std::vector<gpu::MaterialData> data;
     for (const Material& material : materials_) {
         data.push_back(deviceMaterial(material));
+        data.back().entry = gpu::uint(data.size() - 1);
         textureOf_.push_back({-1, -1, -1, -1, -1});
         for (int u = 0; u < TEXTURE_COUNT; ++u) {
             const TextureUse& use = *usesOf(material)[std::size_t(u)];

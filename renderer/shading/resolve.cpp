@@ -3,33 +3,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 #include "gpu/state.h"
 
 namespace umbrage {
 namespace {
 
-gpu::Program programFor(const char* fragment, int samples, const char* data = "DATA 0") {
-    return gpu::Program("fullscreen.vert", fragment, {fmt::format("SAMPLES {}", samples), data});
+std::string samplesOf(const GBuffer& gbuffer) {
+    return fmt::format("SAMPLES {}", gbuffer.samples());
+}
+
+std::string capitals(std::string_view name) {
+    std::string text(name);
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+    return text;
 }
 
 }  // namespace
 
 Resolve::Resolve(const GBuffer& gbuffer)
-    : width_(gbuffer.width()),
-      height_(gbuffer.height()),
-      shade_(programFor("resolve.frag", gbuffer.samples())),
-      geometryData_(programFor("data.frag", gbuffer.samples())),
-      shadowData_(programFor("data.frag", gbuffer.samples(), "DATA 1")),
-      sampleData_(programFor("sample.frag", gbuffer.samples())) {
-    radiance_ = gpu::Texture("radiance", GL_RGBA32F, gbuffer.depthStencil.size());
-    const gpu::Framebuffer::Attachment color{&radiance_};
-    target_ = gpu::Framebuffer("radiance", std::span(&color, 1), nullptr);
+    : target_("radiance", GL_RGBA32F, gbuffer.depthStencil.size(), nullptr),
+      shade_("fullscreen.vert", "resolve.frag", {samplesOf(gbuffer)}),
+      sampleData_("fullscreen.vert", "sample.frag", {samplesOf(gbuffer)}) {
+    const gpu::Framebuffer::Attachment color{&target_.texture()};
     targetWithDepth_ = gpu::Framebuffer("radiance and depth", std::span(&color, 1), &gbuffer.depthStencil);
-    if (gbuffer.samples() > 1) {
-        averaged_ = gpu::Texture("averaged radiance", GL_RGBA32F, {width_, height_});
-        const gpu::Framebuffer::Attachment average{&averaged_};
-        averagedTarget_ = gpu::Framebuffer("averaged radiance", std::span(&average, 1), nullptr);
-    }
+    firstSample_ = gbuffer.samplePositions().front();
 }
 
 void Resolve::drawFullScreen(const gpu::Program& program, const gpu::Framebuffer& target, const GBuffer& gbuffer,
@@ -44,59 +44,49 @@ void Resolve::drawFullScreen(const gpu::Program& program, const gpu::Framebuffer
     program.uniform(1, silhouettes.facingStride);
     program.use();
     noVertices_.bind();
+    ++gpu::activity().draws;
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 void Resolve::shade(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes) {
-    drawFullScreen(shade_, target_, gbuffer, masks, silhouettes);
+    drawFullScreen(shade_, target_.framebuffer(), gbuffer, masks, silhouettes);
     targetWithDepth_.bind();
 }
 
-std::vector<float> Resolve::read(const gpu::Framebuffer& from) const {
-    const gpu::Framebuffer* source = &from;
-    if (averaged_.name()) {
-        glBlitNamedFramebuffer(from.name(), averagedTarget_.name(), 0, 0, width_, height_, 0, 0, width_, height_,
-                               GL_COLOR_BUFFER_BIT, GL_NEAREST);
-        source = &averagedTarget_;
-    }
-    std::vector<float> pixels(4 * std::size_t(width_) * std::size_t(height_));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, source->name());
-    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, pixels.data());
-    return pixels;
-}
-
 std::vector<float> Resolve::readRadiance() {
-    return read(target_);
+    return target_.readMean(4);
 }
 
-std::vector<float> Resolve::readNormalAndDepth(const GBuffer& gbuffer, const Masks& masks,
-                                               const Silhouettes& silhouettes, const glm::mat3& worldFromView) {
-    glProgramUniformMatrix3fv(geometryData_.name(), 3, 1, GL_FALSE, &worldFromView[0][0]);
-    drawFullScreen(geometryData_, target_, gbuffer, masks, silhouettes);
-    return read(target_);
-}
-
-std::vector<float> Resolve::readShadows(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
-                                        std::uint32_t firstLight) {
-    shadowData_.uniform(2, firstLight);
-    drawFullScreen(shadowData_, target_, gbuffer, masks, silhouettes);
-    return read(target_);
+std::vector<float> Resolve::readData(const Data& data, const GBuffer& gbuffer, const Masks& masks,
+                                     const Silhouettes& silhouettes, const glm::mat4& worldFromView) {
+    auto program = data_.find(data.name);
+    if (program == data_.end()) {
+        const char* sampling = data.firstSample ? "FIRST_SAMPLE 1" : "EVERY_SAMPLE 1";
+        program =
+            data_
+                .emplace(data.name,
+                         gpu::Program("fullscreen.vert", "data.frag",
+                                      {samplesOf(gbuffer), sampling, fmt::format("AOV_{} 1", capitals(data.name))}))
+                .first;
+    }
+    program->second.uniform(2, data.firstLight);
+    if (data.firstSample) glProgramUniform2fv(program->second.name(), 5, 1, &firstSample_.x);
+    glProgramUniformMatrix4fv(program->second.name(), 3, 1, GL_FALSE, &worldFromView[0][0]);
+    drawFullScreen(program->second, target_.framebuffer(), gbuffer, masks, silhouettes);
+    return target_.readMean(data.components);
 }
 
 std::vector<gpu::uvec2> Resolve::readSample(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
                                             int sample, const glm::vec2& position, std::uint32_t group) {
-    if (!sample_.name()) {
-        sample_ = gpu::Texture("one sample", GL_RG32UI, {width_, height_});
-        const gpu::Framebuffer::Attachment color{&sample_};
-        sampleTarget_ = gpu::Framebuffer("one sample", std::span(&color, 1), nullptr);
-    }
+    const int width = gbuffer.width(), height = gbuffer.height();
+    if (!sample_) sample_ = gpu::ScreenTarget("one sample", GL_RG32UI, {width, height}, nullptr);
     sampleData_.uniform(2, group);
     if (gbuffer.samples() > 1) sampleData_.uniform(4, GLint(sample));
     glProgramUniform2f(sampleData_.name(), 5, position.x, position.y);
-    drawFullScreen(sampleData_, sampleTarget_, gbuffer, masks, silhouettes);
-    std::vector<gpu::uvec2> pixels(std::size_t(width_) * std::size_t(height_));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampleTarget_.name());
-    glReadPixels(0, 0, width_, height_, GL_RG_INTEGER, GL_UNSIGNED_INT, pixels.data());
+    drawFullScreen(sampleData_, sample_.framebuffer(), gbuffer, masks, silhouettes);
+    std::vector<gpu::uvec2> pixels(std::size_t(width) * std::size_t(height));
+    gpu::readPixels(sample_.framebuffer().name(), width, height, GL_RG_INTEGER, GL_UNSIGNED_INT,
+                    pixels.size() * sizeof(gpu::uvec2), pixels.data());
     return pixels;
 }
 

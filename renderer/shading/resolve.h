@@ -2,10 +2,14 @@
 // From G-buffer and masks to radiance, and to the data AOVs.
 #pragma once
 
+#include <map>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "gpu/program.h"
+#include "gpu/screen_target.h"
 #include "shading/gbuffer.h"
 #include "shadow/masks.h"
 #include "shadow/silhouette.h"
@@ -23,13 +27,16 @@ public:
     /// Rows from the top, linear Rec.709 RGBA; samples averaged. Waits for the device.
     std::vector<float> readRadiance();
 
-    /// World-space shading normal and distance along the view axis (background: 0 and infinity), of the first sample.
-    std::vector<float> readNormalAndDepth(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
-                                          const glm::mat3& worldFromView);
-
-    /// The shadow masks of lights first to first + 3, one in each channel (docs/rules.md, G7).
-    std::vector<float> readShadows(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
-                                   std::uint32_t firstLight);
+    /// What data.frag.glsl makes of the G-buffer.
+    struct Data {
+        std::string_view name;  // of the AOV; or normalAndDepth: world-space shading normal and distance along the view
+                                // axis; or shadow: the masks of four lights (docs/rules.md, G7)
+        int components = 4;
+        bool firstSample = true;  // else the mean
+        std::uint32_t firstLight = 0;
+    };
+    std::vector<float> readData(const Data& data, const GBuffer& gbuffer, const Masks& masks,
+                                const Silhouettes& silhouettes, const glm::mat4& worldFromView);
 
     /// Of one sample of every pixel: the placed triangle that is seen (NO_TRIANGLE: none), and bits of the group's
     /// lights that reach it (docs/rules.md, G7).
@@ -40,14 +47,13 @@ public:
 private:
     void drawFullScreen(const gpu::Program& program, const gpu::Framebuffer& target, const GBuffer& gbuffer,
                         const Masks& masks, const Silhouettes& silhouettes);
-    std::vector<float> read(const gpu::Framebuffer& from) const;
 
-    int width_, height_;
-    gpu::Texture radiance_, averaged_;  // averaged_: only with several samples
-    gpu::Framebuffer target_, targetWithDepth_, averagedTarget_;
-    gpu::Texture sample_;  // these two on first use
-    gpu::Framebuffer sampleTarget_;
-    gpu::Program shade_, geometryData_, shadowData_, sampleData_;
+    glm::vec2 firstSample_{0.5f};  // its place in the pixel
+    gpu::ScreenTarget target_;
+    gpu::Framebuffer targetWithDepth_;
+    gpu::ScreenTarget sample_;  // on first use
+    gpu::Program shade_, sampleData_;
+    std::map<std::string, gpu::Program, std::less<>> data_;  // by name, on first use
     gpu::VertexArray noVertices_{"full screen"};
 };
 

@@ -80,6 +80,7 @@ bool Surfaces::frontIsClockwise(const Draw& draw, const Geometry& geometry) cons
 }
 
 void Surfaces::submit(const Draw& draw, const Geometry& geometry) const {
+    ++gpu::activity().draws;
     glDrawElementsInstancedBaseVertexBaseInstance(
         draw.mode, GLsizei(draw.indexCount), GL_UNSIGNED_INT,
         reinterpret_cast<const void*>(draw.firstIndex * sizeof(std::uint32_t)), 1,
@@ -87,13 +88,18 @@ void Surfaces::submit(const Draw& draw, const Geometry& geometry) const {
 }
 
 void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials) {
+    OpaquePass pass{&opaqueProgram_, &maskedProgram_};
+    pass.state.depth = gpu::Depth::Nearer;
+    pass.state.depthWrite = true;
+    pass.state.color = gpu::ColorOp::Replace;
+    drawOpaque(geometry, materials, pass);
+}
+
+void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, const OpaquePass& pass) {
     geometry.bind();
     drawBuffer_.bindStorage(BIND_DRAWS);
-    vertexArray_.bind();
-    gpu::RasterState state;
-    state.depth = gpu::Depth::Nearer;
-    state.depthWrite = true;
-    state.color = gpu::ColorOp::Replace;
+    (pass.vertices ? *pass.vertices : vertexArray_).bind();
+    gpu::RasterState state = pass.state;
     std::uint32_t bound = ~0u;
     bool boundClockwise = false;
     for (const Draw& draw : opaque_) {
@@ -104,7 +110,7 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials) 
             state.cull = material.doubleSided ? gpu::Cull::None : gpu::Cull::Back;
             state.frontIsClockwise = isClockwise;
             gpu::apply(state);
-            (material.alphaMode == AlphaMode::Mask ? maskedProgram_ : opaqueProgram_).use();
+            (material.alphaMode == AlphaMode::Mask ? pass.masked : pass.opaque)->use();
             bound = draw.material;
             boundClockwise = isClockwise;
         }

@@ -21,6 +21,17 @@ public:
     /// double-sided materials (docs/rules.md, G7).
     void drawOpaque(const Geometry& geometry, const Materials& materials);
 
+    /// The same primitives in the same order, by other programs into whatever is bound.
+    struct OpaquePass {
+        const gpu::Program *opaque = nullptr, *masked = nullptr;
+        const gpu::VertexArray* vertices = nullptr;  // null: their own
+        gpu::RasterState state{};                    // but for culling
+    };
+    void drawOpaque(const Geometry& geometry, const Materials& materials, const OpaquePass& pass);
+
+    /// For OpaquePass: their own, to which attributes from 7 on can be added.
+    gpu::VertexArray makeVertexArray(const Geometry& geometry) const { return geometry.makeVertexArray(drawIds_); }
+
     /// Marks casters with a culled back face nearer than what is seen (T1) in CasterState::exposed; the finished depth
     /// buffer is bound.
     void findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters);

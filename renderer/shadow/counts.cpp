@@ -2,6 +2,7 @@
 #include "shadow/counts.h"
 
 #include <algorithm>
+#include <string>
 
 namespace umbrage {
 namespace {
@@ -25,14 +26,19 @@ gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) 
                 state.stencil.backPass = GL_DECR_WRAP;
             }
             break;
-        case Into::Fragments:
+        case Into::Counter:
+            if (part.rule == Rule::Fail) state.depth = gpu::Depth::NotNearer;
+            state.color = gpu::ColorOp::Add;
+            break;
+        case Into::Tally:
+        case Into::Casters:
             state.depth = gpu::Depth::Off;
             state.color = gpu::ColorOp::Add;
             break;
-        case Into::Counter:
-        case Into::Updates:
-            if (part.rule == Rule::Fail) state.depth = gpu::Depth::NotNearer;
+        case Into::Faces:
+        case Into::Lines:
             state.color = gpu::ColorOp::Add;
+            state.lines = into == Into::Lines;
             break;
     }
     return state;
@@ -96,21 +102,42 @@ std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGro
 }
 
 const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
-    if (into == Into::Stencil) return stencil;
-    return into == Into::Counter ? counter : tally;
+    switch (into) {
+        case Into::Stencil:
+            return stencil;
+        case Into::Counter:
+            return counter;
+        case Into::Tally:
+            return tally;
+        case Into::Casters:
+            return casters;
+        default:
+            return hull;
+    }
 }
 
-VolumeRenderer::VolumeRenderer()
-    : sides_{gpu::Program("quad.vert"), gpu::Program("quad.vert", "count.frag", {"SIGNED 1"}),
-             gpu::Program("quad.vert", "count.frag")},
-      edgeOnSides_{gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1", "STENCIL_ONLY 1"}),
-                   gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1", "SIGNED 1"}),
-                   gpu::Program("quad.vert", "count.frag", {"EDGE_ON 1"})},
-      caps_{gpu::Program("cap.vert"), gpu::Program("cap.vert", "count.frag", {"SIGNED 1"}),
-            gpu::Program("cap.vert", "count.frag")},
-      edgeOnCaps_{gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "PUSHED_BACK 1", "STENCIL_ONLY 1"}),
-                  gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "PUSHED_BACK 1", "SIGNED 1"}),
-                  gpu::Program("cap.vert", "count.frag", {"EDGE_ON 1", "PUSHED_BACK 1"})} {}
+VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeOn, int samples) {
+    const auto variant = [&](const char* fragment, std::vector<std::string> defines) {
+        if (edgeOn) defines.push_back("EDGE_ON 1");
+        if (edgeOn && std::string_view(vertex) == "cap.vert") defines.push_back("PUSHED_BACK 1");
+        return gpu::Program(vertex, fragment, std::move(defines));
+    };
+    return {edgeOn ? variant("count.frag", {"STENCIL_ONLY 1"}) : gpu::Program(vertex),
+            variant("count.frag", {"SIGNED 1"}),
+            variant("tally.frag", {"TALLY 1", "SAMPLES " + std::to_string(samples)}),
+            gpu::Program(vertex, "attribution.frag", {"TALLY 1"}), gpu::Program(vertex, "hull.frag")};
+}
+
+VolumeRenderer::VolumeRenderer(int samples)
+    : sides_(programs("quad.vert", false, samples)),
+      edgeOnSides_(programs("quad.vert", true, samples)),
+      caps_(programs("cap.vert", false, samples)),
+      edgeOnCaps_(programs("cap.vert", true, samples)) {}
+
+std::uint32_t fillKindOf(const VolumePart& part) {
+    if (part.kind == Kind::Cap) return part.what == CAP_DARK ? FILL_DARK_CAPS : FILL_LIGHT_CAPS;
+    return part.what % LIST_KINDS == LIST_HALVED ? FILL_HALVED_SIDES : FILL_SIDES;
+}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
@@ -122,6 +149,13 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
     if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);
+    if (into == Into::Faces || into == Into::Lines) {
+        glProgramUniform4fv(program.name(), HULL_COLOR, 1, &hullColor_[0]);
+    }
+    if (into == Into::Tally) {
+        program.uniform(TALLY_KIND, fillKindOf(part));
+        program.uniform(TALLY_FAILED, GLuint(part.rule == Rule::Fail));
+    }
     geometry.bind();
     silhouettes.bind();
     vertexArray_.bind();
@@ -149,6 +183,7 @@ void VolumeRenderer::drawSides(const VolumePart& part, const Silhouettes& silhou
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, silhouettes.summaries.name());
     const std::size_t offset =
         l * sizeof(gpu::LightSummary) + offsetof(gpu::LightSummary, lists) + part.what * sizeof(gpu::DrawCommand);
+    ++gpu::activity().draws;
     glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
 }
 
@@ -176,6 +211,7 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
         last = i;
     }
     gpu::apply(state);
+    ++gpu::activity().draws;
     glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), GLsizei(firsts.size()));
 }
 

@@ -58,28 +58,35 @@ std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGro
 /// Draws parts of volumes into whatever framebuffer is bound.
 class VolumeRenderer {
 public:
-    VolumeRenderer();
+    /// @param samples  of what is drawn into
+    explicit VolumeRenderer(int samples);
 
     enum class Into {
-        Stencil,    // crossings, signed, into the stencil buffer (modulo 256)
-        Counter,    // the same into a float colour buffer by additive blending (T6)
-        Fragments,  // a tally of all fragments, no depth test
-        Updates,    // a tally of the fragments that change the count
+        Stencil,  // crossings, signed, into the stencil buffer (modulo 256)
+        Counter,  // the same into a float colour buffer by additive blending (T6)
+        Tally,    // fragments and count changes, see shadow/fill.h
+        Casters,  // fragments of some casters, see shadow/fill.h
+        Faces,    // for pictures, where they are before what is seen, see shadow/hulls.h
+        Lines,    // the same, only their borders
     };
+    /// @param color  that each fragment of Faces and Lines adds
+    void setHullColor(const glm::vec4& color) { hullColor_ = color; }
     void draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
               const LightGroup& group, std::uint32_t l);
 
 private:
     struct Programs {
-        gpu::Program stencil, counter, tally;
+        gpu::Program stencil, counter, tally, casters, hull;
         const gpu::Program& of(Into into) const;
     };
+    static Programs programs(const char* vertex, bool edgeOn, int samples);
     void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
     Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
     gpu::VertexArray vertexArray_{"volumes"};
+    glm::vec4 hullColor_{1.0f};
     gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
 };
 

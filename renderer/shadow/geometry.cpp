@@ -203,8 +203,8 @@ std::uint32_t Geometry::firstIndex(std::uint32_t mesh, const Primitive& primitiv
                                                      : range.firstOtherIndex + primitive.firstIndex;
 }
 
-void Geometry::update(const Scene& scene, const Moment& moment, const Eye& eye) {
-    deform(scene, moment, eye);
+void Geometry::update(const Scene& scene, const Moment& moment, const Eye& eye, const Eye* next) {
+    deform(scene, moment, (next ? *next : eye).position());
     for (std::size_t i = 0; i < instances_.size(); ++i) {
         worldFromModel_[i] = glm::translate(moment.instances[i].worldFromModel, originOf(i));
     }
@@ -229,13 +229,13 @@ void Geometry::update(const Scene& scene, const Moment& moment, const Eye& eye) 
     instanceBuffer_.write(std::span<const gpu::InstanceData>(instances_));
 }
 
-void Geometry::deform(const Scene& scene, const Moment& moment, const Eye& eye) {
+void Geometry::deform(const Scene& scene, const Moment& moment, const glm::dvec3& originNear) {
     if (deforming_.empty()) return;
     // T7: snapped to a grid as coarse as the eye is far from the world's origin is fine; 64 m keeps walks in a cell.
-    const glm::dvec3 cell = glm::floor(eye.position() / 64.0 + 0.5) * 64.0;
+    const glm::dvec3 cell = glm::floor(originNear / 64.0 + 0.5) * 64.0;
     if (worldFloats_) {
         origin_ = glm::dvec3(0.0);
-    } else if (!originKnown_ || glm::any(glm::greaterThan(glm::abs(eye.position() - origin_), glm::dvec3(48.0)))) {
+    } else if (!originKnown_ || glm::any(glm::greaterThan(glm::abs(originNear - origin_), glm::dvec3(48.0)))) {
         origin_ = cell;
         originKnown_ = true;
     }

@@ -25,7 +25,8 @@ public:
     Geometry(const Scene& scene, const Moment& first, bool worldFloats = false);
 
     /// Deforms what deforms and uploads the instances' matrices for this eye.
-    void update(const Scene& scene, const Moment& moment, const Eye& eye);
+    /// @param next  the eye that the update after this one will be for, if what deforms must have the same origin then
+    void update(const Scene& scene, const Moment& moment, const Eye& eye, const Eye* next = nullptr);
 
     /// Chooses which instances are counted with all surfaces (INSTANCE_WHOLE); uploads when that changed.
     void setWhole(const std::vector<bool>& whole);
@@ -57,6 +58,7 @@ public:
     /// Per instance, in its model space, as it is now. Reads back those of what deforms.
     std::vector<Bounds> modelBounds() const;
 
+    const gpu::Buffer& positions() const { return positions_; }
     /// All positions as the device has them now, for techniques that run on the host and for the oracle.
     std::vector<float> readPositions() const;
     bool deforms() const { return !deforming_.empty(); }
@@ -88,7 +90,7 @@ private:
     };
 
     void uploadVertices(const Scene& scene);
-    void deform(const Scene& scene, const Moment& moment, const Eye& eye);
+    void deform(const Scene& scene, const Moment& moment, const glm::dvec3& originNear);
     bool invertible(const glm::dmat4& worldFromModel) const;
 
     std::vector<MeshRange> ranges_;  // one a mesh

@@ -93,6 +93,7 @@ void Masks::mark(const gpu::Program& program, const gpu::Stencil& stencil, const
     program.uniform(0, 1u << l);
     program.use();
     noVertices_.bind();
+    ++gpu::activity().draws;
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -111,6 +112,7 @@ void Masks::set(std::uint32_t group, std::span<const std::uint32_t> bits) {
     glProgramUniform2ui(givenProgram_.name(), 0, GLuint(size.width), GLuint(size.height));
     givenProgram_.use();
     noVertices_.bind();
+    ++gpu::activity().draws;
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -130,6 +132,7 @@ const gpu::Framebuffer& Masks::singleSampled(bool wide) const {
     wideCounts_.bind(0);
     firstSampleProgram_.use();
     noVertices_.bind();
+    ++gpu::activity().draws;
     glDrawArrays(GL_TRIANGLES, 0, 3);
     return oneWideSampleTarget_;
 }
@@ -137,15 +140,15 @@ const gpu::Framebuffer& Masks::singleSampled(bool wide) const {
 std::vector<std::uint32_t> Masks::readCounts(const CountPlan& plan) const {
     const int width = texture_.size().width, height = texture_.size().height;
     const bool wide = plan.wide && !plan.allDark;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, singleSampled(wide).name());
+    const GLuint from = singleSampled(wide).name();
     std::vector<std::uint32_t> counts(std::size_t(width) * std::size_t(height));
     if (wide) {
         std::vector<float> values(counts.size());
-        glReadPixels(0, 0, width, height, GL_RED, GL_FLOAT, values.data());
+        gpu::readPixels(from, width, height, GL_RED, GL_FLOAT, 4 * values.size(), values.data());
         for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::uint32_t(int(values[i]) - plan.litValue);
     } else {
         std::vector<std::uint8_t> values(counts.size());
-        glReadPixels(0, 0, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.data());
+        gpu::readPixels(from, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.size(), values.data());
         for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::uint8_t(values[i] - plan.litValue);
     }
     return counts;

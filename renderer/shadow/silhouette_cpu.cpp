@@ -216,6 +216,10 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
                 bits.y |= std::uint32_t(back) << l;
                 if (!(flags & TRIANGLE_CASTS) || !(front || back)) continue;
                 summary.litTriangles += front;
+                const gpu::CasterState& state = out.hostCasters[i];
+                const bool fail = state.countedByFail >> l & 1u;
+                summary.lightCaps += fail || (flags & TRIANGLE_HOLED) || state.missing;
+                summary.darkCaps += fail && light.w != 0.0f && instance.eyeInModel.w != 0.0f;
                 const std::uint32_t list = listOf(instance, out.hostCasters[i], l, flags & TRIANGLE_EVEN);
                 if (underEye[k] && list != LIST_FAIL) out.hostCasters[i].hazards |= 1u << l;
                 countEye(instance, light, side[k], corners[k], {nx[k], ny[k], nz[k]}, list, l, summary,
@@ -260,7 +264,8 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
             if (!(silhouette >> l & 1u)) continue;
             const std::uint32_t list = listOf(instance, out.hostCasters[i], l, edge.left & EDGE_EVEN);
             const bool negative = (twice.y | once.y) >> l & 1u;
-            const int times = ((twice.x | twice.y) >> l & 1u) && !(halve && list == LIST_HALVED) ? 2 : 1;
+            const bool isTwice = (twice.x | twice.y) >> l & 1u;
+            const int times = isTwice && !(halve && list == LIST_HALVED) ? 2 : 1;
             const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative);
             const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
             const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);
@@ -270,6 +275,7 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
                 entries_[l * LIST_COUNT + list + (isSliver(eye, light, a, b) ? LIST_EDGE_ON : 0)];
             entries.insert(entries.end(), std::size_t(times), entry);
             ++out.hostSummaries[l].silhouetteEdges;
+            out.hostSummaries[l].doubleEdges += isTwice;
             if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
                 out.hostCasters[i].hazards |= 1u << l;
             }

@@ -142,8 +142,8 @@ TEST_F(Output, StatisticsHaveEveryFrameAndLight) {
         EXPECT_EQ(frame["values"]["triangles"], 456);
         ASSERT_EQ(frame["lights"].size(), 2u);
         for (const char* light : {"Box_BoxLight", "Cage_CageLight"}) {
-            EXPECT_GT(frame["lights"][light]["edges.silhouette"], 0);
-            EXPECT_GT(frame["lights"][light]["overdraw.fragments"], 0);
+            EXPECT_GT(frame["lights"][light]["values"]["edges.silhouette"], 0);
+            EXPECT_GT(frame["lights"][light]["values"]["overdraw.fragments"], 0);
         }
         for (const auto& [name, value] : frame["values"].items()) EXPECT_TRUE(json["counters"].contains(name)) << name;
     }
@@ -151,14 +151,14 @@ TEST_F(Output, StatisticsHaveEveryFrameAndLight) {
     ASSERT_EQ(umbrage({"render", "seq.yaml", "--set", "statistics.path=out/numbers.csv"}).exitCode, 0);
     const std::vector<std::string> lines = linesOf(contentsOf(folder() / "out/numbers.csv"));
     ASSERT_FALSE(lines.empty());
-    EXPECT_EQ(lines[0], "frame,light,counter,unit,value");
+    EXPECT_EQ(lines[0], "frame,light,caster,material,counter,unit,value");
     for (const std::string frame : {"1", "2", "3"}) {
-        EXPECT_THAT(lines, testing::Contains(frame + ",,triangles,count,456"));
+        EXPECT_THAT(lines, testing::Contains(frame + ",,,,triangles,count,456"));
         for (const char* light : {"Box_BoxLight", "Cage_CageLight"}) {
-            EXPECT_THAT(lines, testing::Contains(testing::StartsWith(frame + "," + light + ",quads,count,")));
+            EXPECT_THAT(lines, testing::Contains(testing::StartsWith(frame + "," + light + ",,,quads,count,")));
         }
     }
-    for (const std::string& line : lines) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 4) << line;
+    for (const std::string& line : lines) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 6) << line;
 }
 
 TEST_F(Output, ProfilingAddsTheTimeOfEachPass) {

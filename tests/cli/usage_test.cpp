@@ -33,7 +33,7 @@ TEST_F(Usage, HelpAndVersionGoToStdout) {
     const Result help = umbrage({"--help"});
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_THAT(help.err, IsEmpty());
-    for (const char* word : {"render", "verify", "inspect", "devices", "schema", "Exit codes", "130/143"}) {
+    for (const char* word : {"render", "verify", "inspect", "stats", "devices", "schema", "Exit codes", "130/143"}) {
         EXPECT_THAT(help.out, HasSubstr(word));
     }
     const Result ofRender = umbrage({"render", "--help"});
@@ -73,7 +73,7 @@ TEST_F(Usage, TheSchemaIsData) {
 }
 
 TEST_F(Usage, CommandsThatDoNotExistGetTheNearestOne) {
-    expectUsageError({}, "a command is missing (known: render, verify, inspect, devices, schema)");
+    expectUsageError({}, "a command is missing (known: render, verify, inspect, stats, devices, schema)");
     expectUsageError({"rendr", "seq.yaml"}, "there is no command 'rendr' (did you mean \"render\"?)");
     expectUsageError({"-q", "rendr"}, "there is no command 'rendr'");
     expectUsageError({"seq.yaml"}, "there is no command 'seq.yaml'");

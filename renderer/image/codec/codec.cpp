@@ -37,6 +37,11 @@ public:
         writeWhole(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     }
 
+    std::string png(const ImageFile& image) const override {
+        const EncodedFile bytes = encodePng("PNG", image);
+        return {bytes.begin(), bytes.end()};
+    }
+
     std::unique_ptr<DisplayTransform> displayTransform(const ColorRequest& request) const override {
         return makeDisplayTransform(request);
     }

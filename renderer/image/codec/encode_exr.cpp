@@ -68,6 +68,17 @@ std::vector<std::byte> interleaved(const ImageFile& image, const OIIO::ImageSpec
     return pixels;
 }
 
+/// Whether there are R, G and B, by themselves or of some layer.
+bool hasColour(const std::vector<std::string>& names) {
+    const auto has = [&](const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+        const std::string layer = name.substr(0, name.rfind('.') + 1);
+        return name == layer + "R" && has(layer + "G") && has(layer + "B");
+    });
+}
+
 }  // namespace
 
 EncodedFile encodeExr(const std::filesystem::path& file, const ImageFile& image) {
@@ -88,7 +99,7 @@ EncodedFile encodeExr(const std::filesystem::path& file, const ImageFile& image)
     spec.attribute("compression", kCompression);
     // An attribute of the wrong type keeps OpenImageIO from stamping the time and is itself not stored.
     spec.attribute("DateTime", 0);
-    const bool colour = index("R") >= 0 && index("G") >= 0 && index("B") >= 0;
+    const bool colour = hasColour(spec.channelnames);
     if (colour) spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), kRec709Chromaticities);
     // The names of the Color Interop Forum's recommendation, which EXR readers are beginning to look at.
     spec.attribute("colorInteropID", colour ? "lin_rec709_scene" : "data");

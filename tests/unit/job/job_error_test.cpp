@@ -176,6 +176,7 @@ TEST(JobErrors, FieldsOfOutputNamesAreKnown) {
     expectRefused(sequence("output: {path: \"{aov.png\"}\n"), {"s.yaml:3:16", "without its partner", ""});
     expectRefused(sequence("output: {path: \"aov}.png\"}\n"), {"s.yaml:3:16", "without its partner", ""});
     expectRefused(sequence("statistics: {path: s.txt}\n"), {"s.yaml:3:20", ".json or .csv", ""});
+    expectRefused(sequence("statistics: {page: s.htm}\n"), {"s.yaml:3:20", "ends with .html", ""});
 }
 
 TEST(JobErrors, BrokenYamlHasItsPlace) {

@@ -122,10 +122,11 @@ TEST(OutputPath, AnAbsolutePathStays) {
 }
 
 TEST(OutputPath, RedirectingReplacesTheFolderOnly) {
-    Job job = read(sequence("output: {path: \"o/{aov}.{ext}\"}\nstatistics: {path: o/s.csv}\n"));
+    Job job = read(sequence("output: {path: \"o/{aov}.{ext}\"}\nstatistics: {path: o/s.csv, page: o/s.html}\n"));
     redirectOutput(job, "/new{1}");
     EXPECT_EQ(outputPath(job, "beauty", 1, "png"), "/new{1}/beauty.png");
     EXPECT_EQ(job.statistics.path, "/new{1}/s.csv");
+    EXPECT_EQ(job.statistics.page, "/new{1}/s.html");
 }
 
 TEST(OutputPath, RedirectingKeepsFoldersThatTellImagesApart) {

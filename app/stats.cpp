@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "commands.h"
+#include "diagnostics/statistics_merge.h"
+#include "exit_codes.h"
+#include "image/thumbnail.h"
+#include "job/frame_range.h"
+#include "job/nearest.h"
+#include "report/statistics_compare.h"
+#include "report/statistics_page.h"
+#include "report/statistics_plot.h"
+#include "report/statistics_table.h"
+#include "scene/node_paths.h"
+
+namespace umbrage {
+namespace {
+
+namespace fs = std::filesystem;
+
+StatisticsSelection selectionOf(const StatsOptions& options) {
+    StatisticsSelection selection;
+    if (!options.frames.empty()) {
+        const std::vector<int> list = FrameRange::parse(options.frames, "--frames").frames();
+        selection.frame = [frames = std::set<int>(list.begin(), list.end())](int f) { return frames.contains(f); };
+    }
+    const auto matching = [](const std::string& glob) {
+        return [glob](const std::string& name) { return matchesGlob(glob, name); };
+    };
+    if (!options.light.empty()) selection.light = matching(options.light);
+    // A plot takes its one counter from all of them, so that a misspelt one gets an answer.
+    if (!options.counter.empty() && options.plot.empty()) selection.name = matching(options.counter);
+    return selection;
+}
+
+/// @throws Error(Input)
+NamedStatistics selectedFrom(const std::string& name, const StatisticsSelection& selection) {
+    return {name, selectedStatistics(readStatistics(name), selection)};
+}
+
+/// Of the pictures beauty.FRAME.png that lie beside the file.
+std::map<int, std::string> thumbnailsBeside(const fs::path& statistics, const StatisticsFile& file) {
+    std::map<int, std::string> thumbnails;
+    for (const auto& [frame, figures] : file.frames) {
+        const fs::path picture = statistics.parent_path() / fmt::format("beauty.{:04}.png", frame);
+        std::ifstream stream(picture, std::ios::binary);
+        if (!stream) continue;
+        const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+        const auto encoded = std::as_bytes(std::span(bytes));
+        thumbnails[frame] = thumbnailOf(codec().decode(encoded, picture.string())).png();
+    }
+    return thumbnails;
+}
+
+void writePlot(const fs::path& file, const Plot& plot) {
+    const Drawing drawing = layOut(plot);
+    if (file.extension() == ".svg") {
+        writeWhole(file, svgOf(drawing));
+    } else {
+        codec().write(file, pictureOf(drawing).file({}));
+    }
+}
+
+}  // namespace
+
+int runStats(const StatsOptions& options) {
+    const StatisticsSelection selection = selectionOf(options);
+    std::vector<NamedStatistics> files;
+    for (const std::string& input : options.inputs) files.push_back(selectedFrom(input, selection));
+    const bool makesFiles =
+        !options.merge.empty() || !options.csv.empty() || !options.html.empty() || !options.plot.empty();
+    if (!makesFiles && options.compare.empty()) {
+        for (std::size_t i = 0; i < files.size(); ++i) {
+            fmt::print("{}{}", i > 0 ? "\n" : "", statisticsTable(files[i].file));
+        }
+        return kOk;
+    }
+    const StatisticsFile all = mergedStatistics(files);
+    if (!options.merge.empty()) writeWhole(options.merge, all.json());
+    if (!options.csv.empty()) writeWhole(options.csv, all.csv());
+    if (!options.html.empty()) {
+        writeWhole(options.html, statisticsPage(all, thumbnailsBeside(options.inputs.front(), all)));
+    }
+    if (!options.plot.empty()) writePlot(options.plot, statisticsPlot(all, options.counter));
+    if (!options.compare.empty()) {
+        fmt::print("{}", comparisonTable(all, selectedFrom(options.compare, selection).file));
+    }
+    return kOk;
+}
+
+}  // namespace umbrage

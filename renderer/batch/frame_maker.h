@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// One frame of a job: evaluated, rendered, and where asked rendered again, for times or by another technique.
+#pragma once
+
+#include <memory>
+
+#include "batch/write_queue.h"
+#include "diagnostics/statistics.h"
+#include "frame/frame.h"
+#include "job/job.h"
+#include "scene/compose.h"
+
+namespace umbrage {
+
+class FrameMaker {
+public:
+    /// Job and composition must outlive it.
+    /// @param first  the scene at the first frame's time
+    /// @throws Error
+    FrameMaker(const Job& job, const Composition& composition, const Moment& first, const gpu::Context& context);
+
+    WriteQueue::Item make(int frame, Statistics& statistics);
+
+    const FrameOutputs& outputs() const { return outputs_; }
+
+private:
+    PlacedMoment at(int frame) const;
+
+    const Job& job_;
+    const Composition& composition_;
+    FrameOutputs outputs_;
+    FrameRenderer renderer_;
+    std::unique_ptr<FrameRenderer> against_;  // where an overlay compares techniques
+};
+
+}  // namespace umbrage

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of terms, from the tables themselves.
+#include <fmt/format.h>
+
+#include "diagnostics/quantities.h"
+#include "diagnostics/statistics_format.h"
+
+namespace umbrage {
+namespace {
+
+std::string counterTables() {
+    std::string text;
+    for (std::size_t i = 0; i < kCounters.size(); ++i) {
+        const CounterInfo& counter = kCounters[i];
+        if (i == 0 || groupOf(i).name != groupOf(i - 1).name) {
+            text += fmt::format("\n### {}\n\n{}\n\n| counter | unit | meaning | of several |\n|---|---|---|---|\n",
+                                groupOf(i).name, groupOf(i).doc);
+        }
+        text += fmt::format("| `{}` | {} | {} | {} |\n", counter.name, counter.unit, counter.doc,
+                            counter.numerator.empty() ? nameOf(counter.combine) : "ratio of the sums");
+    }
+    return text;
+}
+
+std::string quantityTable() {
+    std::string text = "| quantity | unit | meaning | AOV |\n|---|---|---|---|\n";
+    for (const QuantityInfo& quantity : kQuantities) {
+        text += fmt::format("| `{}` | {} | {} | `{}` |\n", quantity.name, quantity.unit, quantity.doc, quantity.aov);
+    }
+    text += "\n| figure | meaning |\n|---|---|\n";
+    for (const DistributionFigure& figure : kDistributionFigures) {
+        text += fmt::format("| `{}` | {} |\n", figure.name, figure.doc);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string statisticsReference() {
+    return "# Statistics\n"
+           "\n"
+           "`umbrage schema --statistics --markdown` wrote this page, from the tables that write the files.\n"
+           "\n"
+           "A sequence with `statistics: {path: FILE.json}` writes its numbers for every frame; `diagnostics: "
+           "{profile: "
+           "true}` adds times.\n"
+           "A number belongs to a frame, and in it to a light (its id), a shadow caster (its node path), a material, "
+           "or "
+           "a pair of them.\n"
+           "\n## Counters\n\n"
+           "One number a place. *Of several* says what the frames of a sequence, or the lights of a frame, become "
+           "together.\n" +
+           counterTables() +
+           "\n## Quantities\n\n"
+           "One number a pixel, kept as a distribution. Bins are 1 wide below 256, above there are 128 of them an "
+           "octave: percentiles of\n"
+           "whole numbers are exact below 256 and at most 0.8 % too small above.\n\n" +
+           quantityTable() +
+           "\n## Files\n\n"
+           "**JSON** (`statistics.path: FILE.json`): a head (`sequence`, `version`, `device`, `clock`), the tables "
+           "above, `frames`, and a\n"
+           "`summary` of the sequence with totals, means, largest values and the ten casters with most fill. `umbrage "
+           "schema --statistics`\n"
+           "is its JSON Schema. Parts are nested: `frames[i].lights.ID.casters.PATH.values`.\n"
+           "\n"
+           "**CSV** (`FILE.csv`, or `umbrage stats FILE.json --csv FILE.csv`): tidy, "
+           "`frame,light,caster,material,counter,unit,value`, one number\n"
+           "a line. Empty fields mean the whole. A distribution is five lines: `overdraw.mean`, `overdraw.p50` and so "
+           "on.\n"
+           "\n"
+           "**HTML** (`statistics.page: FILE.html`, or `umbrage stats FILE.json --html FILE.html`): one file, without "
+           "network: curves over\n"
+           "the frames, histograms, casters, tables to sort. Written by `umbrage render` it has a thumbnail of each "
+           "frame.\n"
+           "\n## Commands\n\n"
+           "    umbrage stats FILE.json...                      # a table of each sequence\n"
+           "    umbrage stats FILE.json --frames 10-20 --light 'Torch*' --counter 'overdraw.*'\n"
+           "    umbrage stats shard*.json --merge ALL.json      # parts of one sequence\n"
+           "    umbrage stats FILE.json --compare AFTER.json    # what changed\n"
+           "    umbrage stats FILE.json --plot FILE.svg --counter overdraw.fragments    # or FILE.png\n"
+           "    umbrage stats FILE.json --csv FILE.csv --html FILE.html\n"
+           "\n"
+           "`--merge` takes different frames, or the same frame in several parts, but never two values for one "
+           "place.\n"
+           "\n"
+           "Numbers in ms and MiB are measured and differ from run to run; all others are counts and must not. "
+           "`--compare` marks a count\n"
+           "with `*` where any frame differs. Measured numbers are paired frame by frame, and the ratio is the median "
+           "of "
+           "the frames' ratios; its\n"
+           "95 % interval is that of the sign test (two order statistics, whatever the distribution), and only an "
+           "interval without 1 is marked.\n"
+           "Fewer than six frames have none. The frames of a run share a machine and its moods: repeat runs before you "
+           "believe small changes.\n";
+}
+
+}  // namespace umbrage
