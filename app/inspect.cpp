@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "scene/load_gltf.h"
+#include "scene/t_junctions.h"
 #include "scene/topology.h"
 
 namespace umbrage {
@@ -45,17 +46,51 @@ void printNodes(const Scene& scene) {
 void printMeshes(const Scene& scene) {
     fmt::print("meshes: {}\n", scene.meshes.size());
     for (const Mesh& mesh : scene.meshes) {
-        const MeshTopology::Figures f = buildTopology(mesh, scene.materials).figures;
+        const MeshTopology topology = buildTopology(mesh, scene.materials);
+        const MeshTopology::Figures& f = topology.figures;
         fmt::print("  {}: {} triangles, {} vertices ({} welded), {} edges; {} of {} components closed", mesh.name,
                    mesh.triangleCount(), mesh.positions.size(), f.weldedVertices, f.edges, f.closedComponents,
                    f.components);
         if (f.openEdges) fmt::print(", {} open edges", f.openEdges);
+        if (const std::size_t junctions = countTJunctions(mesh, topology)) fmt::print(", {} T-junctions", junctions);
         if (f.nonManifoldEdges) fmt::print(", {} edges of more than two triangles", f.nonManifoldEdges);
         if (f.inconsistentEdges) fmt::print(", {} edges of inconsistent winding", f.inconsistentEdges);
         if (f.degenerateTriangles) fmt::print(", {} triangles without area", f.degenerateTriangles);
         if (!mesh.morphTargets.empty()) fmt::print(", {} morph targets", mesh.morphTargets.size());
         fmt::print("\n");
     }
+}
+
+/// What makes frames of this scene dear, most of it per placed triangle.
+void printCosts(const Scene& scene) {
+    std::size_t casting = 0, whole = 0, holed = 0, blended = 0, deforming = 0, culled = 0;
+    for (const Node& node : scene.nodes) {
+        if (node.mesh == kNone) continue;
+        const Mesh& mesh = scene.meshes[std::size_t(node.mesh)];
+        const MeshTopology topology = buildTopology(mesh, scene.materials);
+        for (std::size_t t = 0; t < topology.casts.size(); ++t) {
+            casting += topology.casts[t];
+            whole += topology.casts[t] && !topology.even[t];
+        }
+        for (const Primitive& primitive : mesh.primitives) {
+            if (primitive.material == kNone) continue;
+            const Material& material = scene.materials[std::size_t(primitive.material)];
+            const std::size_t triangles = primitive.indexCount / 3;
+            holed += material.alphaMode == AlphaMode::Mask ? triangles : 0;
+            blended += material.alphaMode == AlphaMode::Blend ? triangles : 0;
+            culled += material.alphaMode == AlphaMode::Opaque && !material.doubleSided ? triangles : 0;
+        }
+        if (node.skin != kNone || !mesh.morphTargets.empty()) deforming += mesh.positions.size();
+    }
+    fmt::print("what will cost, for each light:\n  {} triangles are faced and their edges searched\n", casting);
+    const auto print = [](std::size_t count, const char* what) {
+        if (count) fmt::print("  {} {}\n", count, what);
+    };
+    print(whole, "of them are in components with edges of odd valence: twice the fill of closed ones");
+    print(culled, "are single-sided: light caps are drawn while the viewer sees them from behind");
+    print(holed, "are alpha-masked: light caps are always drawn, and they cast as if opaque");
+    print(blended, "are blended: sorted and drawn once more; they cast no shadow and are lit without any");
+    print(deforming, "vertices are skinned or morphed every frame");
 }
 
 }  // namespace
@@ -75,6 +110,7 @@ int runInspect(const InspectOptions& options) {
                scene.images.size());
     printNodes(scene);
     printMeshes(scene);
+    printCosts(scene);
     fmt::print("animations: {}\n", scene.animations.size());
     for (std::size_t i = 0; i < scene.animations.size(); ++i) {
         const Animation& animation = scene.animations[i];

@@ -62,7 +62,7 @@ using AovPlanes = std::map<std::string, AovPlane, std::less<>>;  // by name, as 
 struct LightPlanes {
     std::string id;
     std::vector<float> shadow;          // 1: the light reaches the surface
-    std::vector<std::uint32_t> counts;  // shadow volumes that hold the surface point, modulo 256 unless countsAreWide
+    std::vector<std::uint32_t> counts;  // shadow volumes that hold the surface point
     bool countsAreWide = false;
     std::vector<std::uint8_t> reaches;  // as `shadow`, of every sample: sample after sample
     AovPlanes aovs;                     // those with channels for each light

@@ -93,6 +93,7 @@ void AovReader::read(const FrameOutputs& outputs, const Masks& masks, const Silh
         }
     }
     readAgain(outputs, eye.emptyDepth(), pixels);
+    gpu::checkGl("while reading AOVs");
 }
 
 void AovReader::readAgain(const FrameOutputs& outputs, float emptyDepth, FramePixels& pixels) {

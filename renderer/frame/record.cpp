@@ -2,7 +2,6 @@
 #include "frame/record.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace umbrage {
 namespace {
@@ -135,8 +134,7 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
     }
     if (!stencil.empty()) {
         Distribution distribution;
-        // On a shadow's border rounding may make -1 of 0.
-        for (const std::uint32_t count : stencil) distribution.add(std::abs(double(std::int32_t(count))));
+        for (const std::uint32_t count : stencil) distribution.add(count);
         statistics_.record(frame_, place, "stencil", distribution);
     }
     const double touched = tilesWith(fill.fragments, picture_.width, picture_.height);

@@ -72,6 +72,7 @@ std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGro
     std::vector<CountPlan> plans;
 
     CountPlan halved;
+    halved.layerBound = layerBound;
     if (!parallelToView) addSides(halved, LIST_HALVED, Rule::Pass, summary);
     const int crossings = settings.halve ? 2 : 1;  // for a quad
     halved.litValue = -eyeInside(LIST_HALVED) / crossings;
@@ -83,6 +84,7 @@ std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGro
         return settings.holed[i] || silhouettes.hostCasters[i].missing != 0;
     };
     CountPlan whole;
+    whole.layerBound = layerBound;
     if (!parallelToView) addSides(whole, LIST_WHOLE, Rule::Pass, summary);
     for (const std::uint32_t cap : {CAP_TRUE, CAP_EDGE_ON}) {
         addCap(whole, cap, Rule::Pass, silhouettes, l, notInDepthBuffer);

@@ -37,8 +37,9 @@ struct VolumePart {
 struct CountPlan {
     std::vector<VolumePart> parts;
     int litValue = 0;
-    bool allDark = false;  // the eye constant alone decides
-    bool wide = false;     // counts may exceed what 8 bits hold (T6)
+    bool allDark = false;          // the eye constant alone decides
+    bool wide = false;             // counts may exceed what 8 bits hold (T6)
+    std::uint32_t layerBound = 0;  // no count is larger
 };
 
 /// What plans depend on beside the silhouettes.

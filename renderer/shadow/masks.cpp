@@ -2,6 +2,7 @@
 #include "shadow/masks.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace umbrage {
 
@@ -145,11 +146,15 @@ std::vector<std::uint32_t> Masks::readCounts(const CountPlan& plan) const {
     if (wide) {
         std::vector<float> values(counts.size());
         gpu::readPixels(from, width, height, GL_RED, GL_FLOAT, 4 * values.size(), values.data());
-        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::uint32_t(int(values[i]) - plan.litValue);
+        for (std::size_t i = 0; i < counts.size(); ++i)
+            counts[i] = std::uint32_t(std::abs(int(values[i]) - plan.litValue));
     } else {
         std::vector<std::uint8_t> values(counts.size());
         gpu::readPixels(from, width, height, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, values.size(), values.data());
-        for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = std::uint8_t(values[i] - plan.litValue);
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            const auto count = std::uint8_t(values[i] - plan.litValue);
+            counts[i] = count <= plan.layerBound ? count : 256u - count;
+        }
     }
     return counts;
 }

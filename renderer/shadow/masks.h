@@ -25,7 +25,9 @@ public:
 
     /// What the last count() counted, rows from the top; one sample of each pixel. Waits.
     /// @param plan  what was given to count()
-    /// @return layers over each sample: exact when counted wide, else modulo 256
+    /// @return layers over each sample; where rounding on a shadow's border makes a negative count, its magnitude, so
+    /// that
+    ///         everything dark has a count
     std::vector<std::uint32_t> readCounts(const CountPlan& plan) const;
 
 private:

@@ -250,12 +250,16 @@ TEST(Fill, EntersLessLeavesAndTheEyeConstantAreTheStencilsCounts) {
         const Counted counted(subject, true), halved(subject, false);
         for (const LightPlanes& light : counted.pixels.lights) {
             double sum = 0;
-            for (const std::uint32_t count : light.counts) sum += double(std::int32_t(count));  // rounding: rarely -1
+            for (const std::uint32_t count : light.counts) sum += count;
             EXPECT_GT(sum, 0.0) << name << " " << light.id;
-            EXPECT_EQ(sum, counted.value(light.id, "count.net")) << name << " " << light.id;
+            // A pixel on whose border rounding made -1 counts one there and two less in the net count.
+            const double net = counted.value(light.id, "count.net");
+            EXPECT_LE(net, sum) << name << " " << light.id;
+            EXPECT_EQ(std::fmod(sum - net, 2.0), 0.0) << name << " " << light.id;
+            EXPECT_LE(sum - net, 2.0 * 4) << name << " " << light.id;
             if (halved.json["lights"][light.id]["values"].contains("count.net") &&
                 halved.value(light.id, "casters.outOfReach") == 0) {
-                EXPECT_EQ(sum, halved.value(light.id, "count.net")) << name << " " << light.id << ", halved";
+                EXPECT_EQ(net, halved.value(light.id, "count.net")) << name << " " << light.id << ", halved";
             }
         }
     }
