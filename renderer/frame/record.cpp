@@ -151,9 +151,19 @@ void FrameRecorder::scene(const SceneFragments& scene) {
     const double fragments = double(scene.fragmentSamples) / picture_.samples;
     const double shaded = double(scene.shadedSamples) / picture_.samples;
     const auto covered = double(scene.coveredPixels);
+    std::map<std::string, double> materials;  // equal names are one
     statistics_.record(frame_, {}, "scene.fragments", fragments);
     statistics_.record(frame_, {}, "scene.shaded", shaded);
     statistics_.record(frame_, {}, "scene.covered", covered);
+    for (std::size_t m = 0; m < scene.samplesOfMaterials.size(); ++m) {
+        if (scene.samplesOfMaterials[m] == 0) continue;
+        std::string name = m < scene_.materials.size() ? scene_.materials[m].name : "(glTF's default)";
+        if (name.empty()) name = "material " + std::to_string(m);
+        materials[name] += double(scene.samplesOfMaterials[m]) / picture_.samples;
+    }
+    for (const auto& [name, itsFragments] : materials) {
+        statistics_.record(frame_, {.material = name}, "scene.fragments", itsFragments);
+    }
     if (covered == 0.0) return;
     statistics_.record(frame_, {}, "scene.depthComplexity", fragments / covered);
     statistics_.record(frame_, {}, "scene.overdraw", shaded / covered);

@@ -25,6 +25,7 @@ vec2 pixelOf(vec3 p, vec2 rayScale) {
     return vec2(ndc.x, -ndc.y) / view.pixelSize;
 }
 #else
+layout(std430, binding = BIND_FILL) buffer Fragments { uint fragmentsOf[]; };  // per material, samples
 layout(location = 0) out vec4 outCount;
 #endif
 
@@ -40,6 +41,7 @@ void main() {
     vec2 motion = pixelOf(viewPosition, view.rayScale.xy) - pixelOf(previousViewPosition, previousRayScale);
     outMotion = vec4(wasBehind ? vec2(0.0) : motion, 0.0, 0.0);
 #else
+    atomicAdd(fragmentsOf[material.entry], uint(bitCount(gl_SampleMaskIn[0])));
     outCount = vec4(1.0);
 #endif
 }

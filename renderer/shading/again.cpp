@@ -50,7 +50,12 @@ SceneFragments SurfacesAgain::countFragments(Surfaces& surfaces, const Geometry&
         samples = query.result();
         return tally_.readMean(1);
     };
+    ofMaterials_.reserve("fragments of materials", materials.count() * sizeof(std::uint32_t));
+    ofMaterials_.clearToZero();
+    ofMaterials_.bindStorage(BIND_FILL);
     result.fragments = count(false, result.fragmentSamples);
+    result.samplesOfMaterials.resize(materials.count());
+    ofMaterials_.read(0, materials.count() * sizeof(std::uint32_t), result.samplesOfMaterials.data());
     result.shaded = count(true, result.shadedSamples);
     result.coveredPixels = std::uint64_t(
         std::count_if(result.fragments.begin(), result.fragments.end(), [](float n) { return n > 0.0f; }));

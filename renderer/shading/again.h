@@ -17,6 +17,7 @@ struct SceneFragments {
     std::vector<float> shaded;     // those that passed the depth test, in the order they are drawn
     std::uint64_t fragmentSamples = 0, shadedSamples = 0;  // of all pixels, exactly (T16)
     std::uint64_t coveredPixels = 0;                       // with at least one
+    std::vector<std::uint32_t> samplesOfMaterials;  // fragmentSamples by material; the last one is glTF's default
 };
 
 /// Where everything was in the frame before.
@@ -52,6 +53,7 @@ private:
     void begin(const gpu::ScreenTarget& target, float emptyDepth) const;
 
     gpu::Texture depth_;
+    gpu::Buffer ofMaterials_;
     gpu::ScreenTarget tally_, ids_, motion_;  // on first use
     Programs tallyPrograms_{"TALLY"}, idPrograms_{"IDS"}, motionPrograms_{"MOTION"};
 };

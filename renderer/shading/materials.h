@@ -19,6 +19,9 @@ public:
     /// Factors and textures, for the fragments of a primitive.
     void bind(std::uint32_t entry) const;
 
+    /// Entries: the scene's materials, then glTF's default.
+    std::size_t count() const { return materials_.size(); }
+
 private:
     std::vector<Material> materials_;  // the scene's, then glTF's default
     std::vector<gpu::Texture> textures_;

@@ -236,6 +236,11 @@ TEST_P(Sums, CastersMakeTheLightAndLightsTheFrame) {
         EXPECT_EQ(value("overdraw.queried"), value("overdraw.fragments")) << "GL_SAMPLES_PASSED";
         EXPECT_LE(value("tiles.touched"), counted.value("tiles"));
     }
+    double materials = 0;
+    for (const auto& [name, material] : counted.json["materials"].items())
+        materials += material["values"].value("scene.fragments", 0.0);
+    EXPECT_EQ(materials, counted.value("scene.fragments"));
+    EXPECT_GT(counted.json["materials"].size(), 5u);
     double perPixel = 0;
     for (const float fragments : counted.pixels.overdrawFragments) perPixel += double(fragments);
     EXPECT_NEAR(perPixel * samples, counted.value("overdraw.fragments"), 1e-6 * perPixel);
