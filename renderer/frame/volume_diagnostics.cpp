@@ -51,7 +51,8 @@ void VolumeDiagnostics::light(std::vector<CountPlan> plans, const LightGroup& gr
                               bool halve, LightPlanes& planes, FrameRecorder& recorder) {
     const gpu::Uncounted uncounted;
     if (!meter_) meter_ = std::make_unique<FillMeter>(gbuffer_.depthStencil);
-    VolumeFill fill = meter_->measure(plans, volumes_, geometry_, silhouettes_, group, l);
+    VolumeFill fill =
+        meter_->measure(plans, outputs_->figures || outputs_->topCasters, volumes_, geometry_, silhouettes_, group, l);
     for (std::size_t i = 0; outputs_->overdraw && i < fill.fragments.size(); ++i) {
         pixels_->overdrawFragments[i] += fill.fragments[i];
         pixels_->overdrawUpdates[i] += fill.updates[i];

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fragments of shadow volumes counted, with the depth test made here so that one pass knows all of them: how often each
-// pixel is touched, how often its count changes, and whose volumes did it. No depth buffer is attached.
+// pixel is touched and how often its count changes, and with TALLY whose volumes did it. No depth buffer is attached.
 // variant: SAMPLES 4
+// variant: TALLY 1
 // variant: EDGE_ON 1, PUSHED_BACK 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
@@ -22,9 +23,11 @@ layout(binding = 0) uniform sampler2D depthTexture;
 #define gbufferSample 0
 #endif
 
+#ifdef TALLY
 layout(std430, binding = BIND_FILL) buffer Fill { CasterFill fill[]; };
-
 layout(location = 4) flat in uint caster;
+#endif
+
 layout(location = TALLY_KIND) uniform uint kind;
 layout(location = TALLY_FAILED) uniform uint failedCount;  // those that fail the depth test change counts, or the others
 
@@ -33,6 +36,7 @@ layout(location = 1) out vec4 outUpdates;
 
 void main() {
     bool passed = clamp(heldDepth(), 0.0, 1.0) > texelFetch(depthTexture, ivec2(gl_FragCoord.xy), gbufferSample).r;
+#ifdef TALLY
     if (gl_FrontFacing) {
         if (passed) atomicAdd(fill[caster].passedFront[kind], 1u);
         else atomicAdd(fill[caster].failedFront[kind], 1u);
@@ -40,6 +44,7 @@ void main() {
         if (passed) atomicAdd(fill[caster].passedBack[kind], 1u);
         else atomicAdd(fill[caster].failedBack[kind], 1u);
     }
+#endif
     outFragments = vec4(1.0);
     outUpdates = vec4(passed != (failedCount != 0u) ? 1.0 : 0.0);
 }

@@ -30,6 +30,7 @@ gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) 
             if (part.rule == Rule::Fail) state.depth = gpu::Depth::NotNearer;
             state.color = gpu::ColorOp::Add;
             break;
+        case Into::Fill:
         case Into::Tally:
         case Into::Casters:
             state.depth = gpu::Depth::Off;
@@ -109,6 +110,8 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
             return stencil;
         case Into::Counter:
             return counter;
+        case Into::Fill:
+            return fill;
         case Into::Tally:
             return tally;
         case Into::Casters:
@@ -126,8 +129,10 @@ VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeO
     };
     return {edgeOn ? variant("count.frag", {"STENCIL_ONLY 1"}) : gpu::Program(vertex),
             variant("count.frag", {"SIGNED 1"}),
+            variant("tally.frag", {"SAMPLES " + std::to_string(samples)}),
             variant("tally.frag", {"TALLY 1", "SAMPLES " + std::to_string(samples)}),
-            gpu::Program(vertex, "attribution.frag", {"TALLY 1"}), gpu::Program(vertex, "hull.frag")};
+            gpu::Program(vertex, "attribution.frag", {"TALLY 1"}),
+            gpu::Program(vertex, "hull.frag")};
 }
 
 VolumeRenderer::VolumeRenderer(int samples)
@@ -154,7 +159,7 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     if (into == Into::Faces || into == Into::Lines) {
         glProgramUniform4fv(program.name(), HULL_COLOR, 1, &hullColor_[0]);
     }
-    if (into == Into::Tally) {
+    if (into == Into::Fill || into == Into::Tally) {
         program.uniform(TALLY_KIND, fillKindOf(part));
         program.uniform(TALLY_FAILED, GLuint(part.rule == Rule::Fail));
     }

@@ -65,7 +65,8 @@ public:
     enum class Into {
         Stencil,  // crossings, signed, into the stencil buffer (modulo 256)
         Counter,  // the same into a float colour buffer by additive blending (T6)
-        Tally,    // fragments and count changes, see shadow/fill.h
+        Fill,     // fragments and count changes at each pixel, see shadow/fill.h
+        Tally,    // the same, and for each caster
         Casters,  // fragments of some casters, see shadow/fill.h
         Faces,    // for pictures, where they are before what is seen, see shadow/hulls.h
         Lines,    // the same, only their borders
@@ -77,7 +78,7 @@ public:
 
 private:
     struct Programs {
-        gpu::Program stencil, counter, tally, casters, hull;
+        gpu::Program stencil, counter, fill, tally, casters, hull;
         const gpu::Program& of(Into into) const;
     };
     static Programs programs(const char* vertex, bool edgeOn, int samples);

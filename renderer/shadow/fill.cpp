@@ -13,8 +13,9 @@ FillMeter::FillMeter(const gpu::Texture& depthStencil)
     both_ = gpu::Framebuffer("volume fragments and count updates", colors, nullptr);
 }
 
-VolumeFill FillMeter::measure(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
-                              const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+VolumeFill FillMeter::measure(std::span<const CountPlan> plans, bool casters, VolumeRenderer& renderer,
+                              const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group,
+                              std::uint32_t l) {
     VolumeFill fill;
     casters_.reserve("fill of casters", geometry.instanceCount() * sizeof(gpu::CasterFill));
     casters_.clearToZero();
@@ -28,15 +29,16 @@ VolumeFill FillMeter::measure(std::span<const CountPlan> plans, VolumeRenderer& 
     for (const CountPlan& plan : plans) {
         if (plan.allDark) continue;  // decided without drawing
         for (const VolumePart& part : plan.parts) {
-            renderer.draw(part, VolumeRenderer::Into::Tally, geometry, silhouettes, group, l);
+            const auto into = casters ? VolumeRenderer::Into::Tally : VolumeRenderer::Into::Fill;
+            renderer.draw(part, into, geometry, silhouettes, group, l);
         }
     }
     query.end();
     fill.queried = query.result();
     fill.fragments = fragments_.readMean(1);
     fill.updates = updates_.readMean(1);
-    fill.casters.resize(geometry.instanceCount());
-    if (!fill.casters.empty()) {
+    if (casters && geometry.instanceCount() > 0) {
+        fill.casters.resize(geometry.instanceCount());
         casters_.read(0, fill.casters.size() * sizeof(gpu::CasterFill), fill.casters.data());
     }
     return fill;

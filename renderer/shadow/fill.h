@@ -15,7 +15,7 @@ namespace umbrage {
 /// Of one light.
 struct VolumeFill {
     std::vector<float> fragments, updates;  // a pixel, rows from the top; with several samples their mean
-    std::vector<gpu::CasterFill> casters;   // per instance, samples
+    std::vector<gpu::CasterFill> casters;   // per instance, samples; empty unless asked for
     std::uint64_t queried = 0;              // all of them by GL_SAMPLES_PASSED (T16)
 };
 
@@ -28,8 +28,10 @@ public:
     explicit FillMeter(const gpu::Texture& depthStencil);
 
     /// Waits.
-    VolumeFill measure(std::span<const CountPlan> plans, VolumeRenderer& renderer, const Geometry& geometry,
-                       const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+    /// @param casters  whose volumes did it, too: twice as slow, as every fragment adds to a number of its caster
+    VolumeFill measure(std::span<const CountPlan> plans, bool casters, VolumeRenderer& renderer,
+                       const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group,
+                       std::uint32_t l);
 
     /// Adds to the planes of some casters what the light's volumes of each fill. Waits.
     /// @param casters  at most ATTRIBUTED

@@ -9,6 +9,8 @@
 #include <functional>
 #include <thread>
 
+#include "scene/compose.h"
+#include "scene/moment.h"
 #include "unit/oracle/pictures.h"
 
 namespace umbrage::oracle {
@@ -96,11 +98,45 @@ private:
     RTCScene scene_;
 };
 
-void frame(benchmark::State& state) {
-    const std::vector<Triangle> triangles = spheres(int(state.range(0)), int(state.range(1)));
-    const double extent = 0.75 * double(state.range(0));
-    const EyeRays rays(cameraAt({0.9 * extent, 1.1 * extent, 1.6 * extent}, {0, 0, 0}, true), kWidth, kHeight);
-    const std::vector<glm::dvec4> lights{{4, 6, 2, 1}, {-3, 5, 4, 1}, {0.4, 1, -0.3, 0}, {-0.7, 0.5, 0.2, 0}};
+/// What a frame is made of.
+struct Setting {
+    std::vector<Triangle> triangles;
+    PlacedCamera camera;
+    std::vector<glm::dvec4> lights;
+};
+
+Setting settingOfSpheres(int side, int level) {
+    const double extent = 0.75 * side;
+    return {spheres(side, level),
+            cameraAt({0.9 * extent, 1.1 * extent, 1.6 * extent}, {0, 0, 0}, true),
+            {{4, 6, 2, 1}, {-3, 5, 4, 1}, {0.4, 1, -0.3, 0}, {-0.7, 0.5, 0.2, 0}}};
+}
+
+/// Frame 24 of the sequence (16 figures, one light): rigid meshes, all of them casting.
+Setting settingOfKnights() {
+    const Job job = readJob(UMBRAGE_SOURCE_DIR "/configs/knights.yaml");
+    const Composition composition = compose(job);
+    const Moment moment = evaluate(composition.scene, composition.animations, 24.0 / job.time.framesPerSecond);
+    Setting setting;
+    setting.camera = placeCamera(composition.scene, moment, composition.cameraNode);
+    for (const PlacedLight& light : moment.lights) setting.lights.push_back(placeOf(light));
+    for (const Instance& instance : moment.instances) {
+        const Mesh& mesh = composition.scene.meshes[std::size_t(instance.mesh)];
+        for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
+            Triangle& triangle = setting.triangles.emplace_back();
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                triangle.corners[corner] =
+                    instance.worldFromModel * glm::dvec4(mesh.positions[mesh.indices[k + corner]], 1.0);
+            }
+        }
+    }
+    return setting;
+}
+
+void frame(benchmark::State& state, const Setting& setting) {
+    const std::vector<Triangle>& triangles = setting.triangles;
+    const EyeRays rays(setting.camera, kWidth, kHeight);
+    const std::vector<glm::dvec4>& lights = setting.lights;
     const Oracle oracle(triangles);
     const PlainEmbree embree(triangles);
     std::vector<std::uint32_t> seen(kWidth * kHeight);
@@ -153,7 +189,15 @@ void frame(benchmark::State& state) {
     state.counters["differ"] = differ / each;  // answers, a light
 }
 
-BENCHMARK(frame)->Args({6, 2})->Args({7, 5})->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+void spheresOf(benchmark::State& state) {
+    frame(state, settingOfSpheres(int(state.range(0)), int(state.range(1))));
+}
+void knights(benchmark::State& state) {
+    frame(state, settingOfKnights());
+}
+
+BENCHMARK(knights)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+BENCHMARK(spheresOf)->Args({6, 2})->Args({7, 5})->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 }  // namespace
 }  // namespace umbrage::oracle
