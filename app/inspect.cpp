@@ -43,10 +43,12 @@ void printNodes(const Scene& scene) {
     }
 }
 
-void printMeshes(const Scene& scene) {
+/// @param topologies  one a mesh
+void printMeshes(const Scene& scene, const std::vector<MeshTopology>& topologies) {
     fmt::print("meshes: {}\n", scene.meshes.size());
-    for (const Mesh& mesh : scene.meshes) {
-        const MeshTopology topology = buildTopology(mesh, scene.materials);
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m) {
+        const Mesh& mesh = scene.meshes[m];
+        const MeshTopology& topology = topologies[m];
         const MeshTopology::Figures& f = topology.figures;
         fmt::print("  {}: {} triangles, {} vertices ({} welded), {} edges; {} of {} components closed", mesh.name,
                    mesh.triangleCount(), mesh.positions.size(), f.weldedVertices, f.edges, f.closedComponents,
@@ -62,12 +64,13 @@ void printMeshes(const Scene& scene) {
 }
 
 /// What makes frames of this scene dear, most of it per placed triangle.
-void printCosts(const Scene& scene) {
+/// @param topologies  one a mesh
+void printCosts(const Scene& scene, const std::vector<MeshTopology>& topologies) {
     std::size_t casting = 0, whole = 0, holed = 0, blended = 0, deforming = 0, culled = 0;
     for (const Node& node : scene.nodes) {
         if (node.mesh == kNone) continue;
         const Mesh& mesh = scene.meshes[std::size_t(node.mesh)];
-        const MeshTopology topology = buildTopology(mesh, scene.materials);
+        const MeshTopology& topology = topologies[std::size_t(node.mesh)];
         for (std::size_t t = 0; t < topology.casts.size(); ++t) {
             casting += topology.casts[t];
             whole += topology.casts[t] && !topology.even[t];
@@ -109,8 +112,10 @@ int runInspect(const InspectOptions& options) {
                options.scene, placed, lights, cameras, scene.animations.size(), scene.materials.size(),
                scene.images.size());
     printNodes(scene);
-    printMeshes(scene);
-    printCosts(scene);
+    std::vector<MeshTopology> topologies;
+    for (const Mesh& mesh : scene.meshes) topologies.push_back(buildTopology(mesh, scene.materials));
+    printMeshes(scene, topologies);
+    printCosts(scene, topologies);
     fmt::print("animations: {}\n", scene.animations.size());
     for (std::size_t i = 0; i < scene.animations.size(); ++i) {
         const Animation& animation = scene.animations[i];

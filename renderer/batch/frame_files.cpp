@@ -27,7 +27,6 @@ struct Writing {
 
     int width() const { return job.image.width; }
     int height() const { return job.image.height; }
-    std::size_t pixelCount() const { return pixels.radiance.size() / 4; }
 
     std::vector<std::string> lightIds() const {
         std::vector<std::string> ids;

@@ -42,14 +42,14 @@ PlacedMoment FrameMaker::at(int frame) const {
 
 WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
     WriteQueue::Item item{frame, nullptr, nullptr};
+    std::optional<PlacedMoment> now, before;
     std::map<std::size_t, std::vector<double>> milliseconds;  // per counter, of each repeat
     for (int repeat = 0; repeat < job_.diagnostics.repeats; ++repeat) {
         const Clock::time_point start = Clock::now();
-        const PlacedMoment now = at(frame);
-        std::optional<PlacedMoment> before;
+        now = at(frame);
         if (outputs_.wants("motion")) before = at(frame - 1);
         item.pixels = std::make_unique<FramePixels>(
-            renderer_.render(now.moment, now.camera, outputs_, frame, statistics, before ? &*before : nullptr));
+            renderer_.render(now->moment, now->camera, outputs_, frame, statistics, before ? &*before : nullptr));
         const std::chrono::duration<double, std::milli> whole = Clock::now() - start;
         milliseconds[Counter("time.frame").index()].push_back(whole.count());
         for (const auto& [pass, time] : item.pixels->milliseconds) milliseconds[pass].push_back(time);
@@ -65,8 +65,8 @@ WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
         itsFill.radiance = false;
         itsFill.overdraw = true;
         Statistics unused;
-        const PlacedMoment now = at(frame);
-        item.against = std::make_unique<FramePixels>(against_->render(now.moment, now.camera, itsFill, frame, unused));
+        item.against =
+            std::make_unique<FramePixels>(against_->render(now->moment, now->camera, itsFill, frame, unused));
     }
     return item;
 }

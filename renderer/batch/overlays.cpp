@@ -110,7 +110,7 @@ RgbPicture volumesPicture(const OverlayInput& in) {
 }
 
 RgbPicture castersPicture(const OverlayInput& in) {
-    const std::vector<TopCaster>& top = in.pixels.topCasters;
+    const std::vector<FillingCaster>& top = in.pixels.topCasters;
     std::vector<KeyEntry> key;
     for (std::size_t rank = 0; rank < top.size(); ++rank) {
         key.push_back({categoryColor(rank), fmt::format("{:.2f} M  {}", 1e-6 * top[rank].fragments, top[rank].path),

@@ -191,13 +191,17 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
             LightPlanes& planes = planesOf(lights[first + l]);
             for (const CountPlan& plan : plans) {
                 masks->count(plan, volumes, geometry, silhouettes, group, l);
+                const gpu::Uncounted uncounted;
                 if (outputs.counts) addCounts(masks->readCounts(plan), plan.wide, planes);
             }
             profiler.pass(gpu::Profiler::kNoPass);
             if (VolumeDiagnostics::wanted(outputs)) {
                 diagnostics.light(std::move(plans), group, l, shining[first + l], halve, planes, recorder);
             }
-            if (outputs.wants("silhouette")) planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, l);
+            if (outputs.wants("silhouette")) {
+                const gpu::Uncounted uncounted;
+                planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, l);
+            }
         }
         diagnostics.endGroup(group);
     }
@@ -283,21 +287,27 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     const FrameRecorder::Picture picture{r.settings.width, r.settings.height, r.settings.samples};
     FrameRecorder recorder(r.scene, moment, r.geometry, picture, frame, statistics);
 
+    if (outputs.wants("motion")) {
+        const gpu::Uncounted uncounted;
+        r.aovs.placeBefore(before ? *before : PlacedMoment{moment, camera}, eye);
+    }
     r.begin("time.position");
-    if (outputs.wants("motion")) r.aovs.placeBefore(before ? *before : PlacedMoment{moment, camera}, eye);
     r.geometry.update(r.scene, moment, eye);
     r.uploadView(lights);
     r.begin("time.gbuffer");
     r.gbuffer.begin(eye.emptyDepth());
     r.surfaces.drawOpaque(r.geometry, r.materials);
     r.castShadows(lights, outputs, recorder, planesOf);
-    r.diagnostics.finish(r.scene, moment);
     if (outputs.radiance) pixels.radiance = r.shade();
     gpu::checkGl("while rendering");
     r.profiler.pass(gpu::Profiler::kNoPass);
 
-    r.aovs.read(outputs, *r.masks, r.silhouettes, eye, r.shining, pixels);
-    if (outputs.samples) r.readSamples(pixels);
+    {
+        const gpu::Uncounted uncounted;
+        r.diagnostics.finish(r.scene, moment);
+        r.aovs.read(outputs, *r.masks, r.silhouettes, eye, r.shining, pixels);
+        if (outputs.samples) r.readSamples(pixels);
+    }
     if (outputs.figures && outputs.scene) recorder.scene(pixels.scene);
     if (outputs.figures) recorder.finish(moment.lights.size() - lights.size());
     for (const auto& [pass, milliseconds] : r.profiler.collect()) pixels.milliseconds[std::size_t(pass)] = milliseconds;

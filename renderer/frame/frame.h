@@ -69,7 +69,7 @@ struct LightPlanes {
 };
 
 /// One of those whose volumes have the most fragments.
-struct TopCaster {
+struct FillingCaster {
     std::string path;           // of its node
     double fragments = 0.0;     // samples, of all lights
     std::vector<float> pixels;  // fragments at each pixel
@@ -77,9 +77,8 @@ struct TopCaster {
 
 /// What is seen at every sample, and where it lies in its pixel (from the upper left corner).
 struct SeenSamples {
-    std::vector<glm::vec2> positions;  // of the samples of every pixel
-    std::vector<std::uint32_t>
-        triangles;  // placed triangle, NO_TRIANGLE or LINE_OR_POINT (shaders/shared.h): sample after sample
+    std::vector<glm::vec2> positions;      // of the samples of every pixel
+    std::vector<std::uint32_t> triangles;  // sample after sample: placed triangle, NO_TRIANGLE or LINE_OR_POINT
 };
 
 struct FramePixels {
@@ -88,9 +87,9 @@ struct FramePixels {
     std::vector<LightPlanes> lights;    // of the moment, in its order; zero where a light is off
     std::vector<float> overdrawFragments, overdrawUpdates;
     SceneFragments scene;
-    std::vector<float> hulls;           // RGBA: see shadow/hulls.h, in display values
-    std::vector<TopCaster> topCasters;  // ten at most, the one that fills most first
-    AovPlanes aovs;                     // the others
+    std::vector<float> hulls;               // RGBA: see shadow/hulls.h, in display values
+    std::vector<FillingCaster> topCasters;  // ten at most, the one that fills most first
+    AovPlanes aovs;                         // the others
     SeenSamples seen;
     std::map<std::size_t, double> milliseconds;  // per pass, by its counter's place; only when profiled
 };

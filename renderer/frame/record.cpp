@@ -69,9 +69,7 @@ FrameRecorder::FrameRecorder(const Scene& scene, const Moment& moment, const Geo
       picture_(picture),
       frame_(frame),
       statistics_(statistics),
-      casters_(geometry.instanceCount()),
-      fragments_(std::size_t(picture.width) * std::size_t(picture.height)),
-      updates_(fragments_) {}
+      casters_(geometry.instanceCount()) {}
 
 void FrameRecorder::record(const StatisticsPlace& place, const FillSums& sums) const {
     statistics_.record(frame_, place, "overdraw.fragments", sums.fragments());
@@ -144,7 +142,6 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
     statistics_.record(frame_, place, "tiles.culled", touched - processed);
     addTo(fragments_, fill.fragments);
     addTo(updates_, fill.updates);
-    anyLight_ = true;
 }
 
 void FrameRecorder::scene(const SceneFragments& scene) {
@@ -196,7 +193,7 @@ void FrameRecorder::finish(std::size_t lightsSkipped) {
     statistics_.record(frame_, {}, "memory.device", double(now.allocatedBytes));
     const auto tiles = [](int pixels) { return (pixels + kTile - 1) / kTile; };
     statistics_.record(frame_, {}, "tiles", double(tiles(picture_.width)) * tiles(picture_.height));
-    if (!anyLight_) return;
+    if (fragments_.empty()) return;
     FillSums all;
     for (std::size_t i = 0; i < casters_.size(); ++i) {
         if (casters_[i].fragments() > 0) {

@@ -59,9 +59,8 @@ private:
     Picture picture_;
     int frame_;
     Statistics& statistics_;
-    std::vector<FillSums> casters_;  // over the lights
-    std::vector<float> fragments_, updates_;
-    bool anyLight_ = false;
+    std::vector<FillSums> casters_;           // over the lights
+    std::vector<float> fragments_, updates_;  // over the lights; empty: there was none
     gpu::Activity begin_ = gpu::activity();
 };
 

@@ -23,14 +23,18 @@ std::vector<std::uint32_t> topOf(const std::vector<double>& fragments) {
     return order;
 }
 
-glm::vec3 linearOf(const Rgb8& color) {
+bool measuresFill(const FrameOutputs& outputs) {
+    return outputs.overdraw || outputs.figures || outputs.topCasters || outputs.wants("cost");
+}
+
+glm::vec3 floatsOf(const Rgb8& color) {
     return {float(color[0]) / 255.0f, float(color[1]) / 255.0f, float(color[2]) / 255.0f};
 }
 
 }  // namespace
 
 bool VolumeDiagnostics::wanted(const FrameOutputs& outputs) {
-    return outputs.overdraw || outputs.figures || outputs.hulls || outputs.topCasters || outputs.wants("cost");
+    return outputs.hulls || measuresFill(outputs);
 }
 
 void VolumeDiagnostics::begin(const FrameOutputs& outputs, FramePixels& pixels) {
@@ -50,9 +54,19 @@ void VolumeDiagnostics::begin(const FrameOutputs& outputs, FramePixels& pixels) 
 void VolumeDiagnostics::light(std::vector<CountPlan> plans, const LightGroup& group, std::uint32_t l, std::size_t place,
                               bool halve, LightPlanes& planes, FrameRecorder& recorder) {
     const gpu::Uncounted uncounted;
+    if (measuresFill(*outputs_)) measure(plans, group, l, halve, planes, recorder);
+    if (outputs_->hulls) {
+        const glm::vec3 color = floatsOf(categoryColor(place));
+        hulls_->draw(plans, color, volumes_, geometry_, silhouettes_, group, l);
+    }
+    if (outputs_->topCasters) plans_.push_back(std::move(plans));
+}
+
+void VolumeDiagnostics::measure(std::span<const CountPlan> plans, const LightGroup& group, std::uint32_t l, bool halve,
+                                LightPlanes& planes, FrameRecorder& recorder) {
     if (!meter_) meter_ = std::make_unique<FillMeter>(gbuffer_.depthStencil);
-    VolumeFill fill =
-        meter_->measure(plans, outputs_->figures || outputs_->topCasters, volumes_, geometry_, silhouettes_, group, l);
+    const bool casters = outputs_->figures || outputs_->topCasters;
+    VolumeFill fill = meter_->measure(plans, casters, volumes_, geometry_, silhouettes_, group, l);
     for (std::size_t i = 0; outputs_->overdraw && i < fill.fragments.size(); ++i) {
         pixels_->overdrawFragments[i] += fill.fragments[i];
         pixels_->overdrawUpdates[i] += fill.updates[i];
@@ -61,28 +75,19 @@ void VolumeDiagnostics::light(std::vector<CountPlan> plans, const LightGroup& gr
         const bool counted = std::none_of(plans.begin(), plans.end(), [](const CountPlan& p) { return p.allDark; });
         recorder.light(planes.id, l, silhouettes_, halve, fill, counted, planes.counts);
     }
-    if (outputs_->hulls) {
-        const glm::vec3 color = linearOf(categoryColor(place));
-        hulls_->draw(plans, color, volumes_, geometry_, silhouettes_, group, l);
-    }
-    if (outputs_->topCasters) {
-        for (std::size_t i = 0; i < fill.casters.size(); ++i) {
-            FillSums sums;
-            sums.add(fill.casters[i], false, false);
-            fragmentsInGroup_[i] += sums.fragments();
-        }
-        plans_.push_back(std::move(plans));
+    for (std::size_t i = 0; outputs_->topCasters && i < fill.casters.size(); ++i) {
+        FillSums sums;
+        sums.add(fill.casters[i], false, false);
+        fragmentsInGroup_[i] += sums.fragments();
     }
     if (outputs_->wants("cost")) planes.aovs["cost"].values = std::move(fill.fragments);
 }
 
 void VolumeDiagnostics::endGroup(const LightGroup& group) {
-    if (!outputs_->topCasters) return;
+    if (plans_.empty()) return;
     const gpu::Uncounted uncounted;
     const std::vector<std::uint32_t> top = topOf(fragmentsInGroup_);
-    for (std::uint32_t l = 0; l < plans_.size(); ++l) {
-        meter_->attribute(plans_[l], top, volumes_, geometry_, silhouettes_, group, l, casterPlanes_);
-    }
+    meter_->attribute(plans_, top, volumes_, geometry_, silhouettes_, group, casterPlanes_);
     for (std::size_t i = 0; i < fragmentsInGroup_.size(); ++i) {
         fragmentsOfCasters_[i] += std::exchange(fragmentsInGroup_[i], 0.0);
     }

@@ -37,6 +37,9 @@ public:
     void finish(const Scene& scene, const Moment& moment);
 
 private:
+    void measure(std::span<const CountPlan> plans, const LightGroup& group, std::uint32_t l, bool halve,
+                 LightPlanes& planes, FrameRecorder& recorder);
+
     const GBuffer& gbuffer_;
     const Geometry& geometry_;
     const Silhouettes& silhouettes_;
@@ -49,7 +52,7 @@ private:
     FramePixels* pixels_ = nullptr;
     std::vector<double> fragmentsOfCasters_;
     CasterPlanes casterPlanes_;
-    std::vector<std::vector<CountPlan>> plans_;
+    std::vector<std::vector<CountPlan>> plans_;  // of each light, where casters are told apart
     std::vector<double> fragmentsInGroup_;
 };
 

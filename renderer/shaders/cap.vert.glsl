@@ -34,16 +34,19 @@ bool inDepthBuffer(uint instance, uint flags) {
     return (flags & TRIANGLE_HOLED) == 0u && casters[instance].missing == 0u;
 }
 
-bool seenEdgeOn(uint placed, vec3 corner) {
+/// @param p  a corner, in model space
+bool seenEdgeOn(uint instance, uint placed, vec3 p) {
     vec4 plane = planes[placed];
-    return abs(view.perspective != 0u ? plane.w : plane.z) < EDGE_ON_SINE * (view.perspective != 0u ? length(corner) : 1.0);
+    if (view.perspective == 0u) return abs(plane.z) < EDGE_ON_SINE;
+    return abs(plane.w) < EDGE_ON_SINE * length(viewFromModel(instance, vec4(p, 1.0)));
 }
 
-/// Whether this draw is for the triangle, whose corner is given in view space.
-bool isWanted(uint instance, uint placed, uint flags, vec3 corner) {
+/// Whether this draw is for the triangle.
+bool isWanted(uint instance, uint placed, uint flags, uvec3 vertices) {
     if (cap == CAP_DARK) return true;
     if (inDepthBuffer(instance, flags)) return cap == CAP_FAR;
-    return cap == (seenEdgeOn(placed, corner) ? CAP_EDGE_ON : CAP_TRUE);
+    if (cap == CAP_FAR) return false;
+    return seenEdgeOn(instance, placed, positionOf(vertices.x)) == (cap == CAP_EDGE_ON);
 }
 
 void main() {
@@ -63,7 +66,7 @@ void main() {
     if (!counted || fails != (byFail != 0u)) return;
 
     uvec3 vertices = triangleVertices(instance, triangle);
-    if (!isWanted(instance, placed, flags, viewFromModel(instance, vec4(positionOf(vertices.x), 1.0)))) return;
+    if (!isWanted(instance, placed, flags, vertices)) return;
     bool flip = (side.y != 0u) != ((instances[instance].flags & INSTANCE_MIRRORED) != 0u);  // outward is (a, c, b)
     if (flip != (cap == CAP_DARK)) corner = 2u - corner;
     vec3 p = positionOf(vertices[corner]);

@@ -63,6 +63,11 @@ void addSides(CountPlan& plan, std::uint32_t list, Rule rule, const gpu::LightSu
     }
 }
 
+std::uint32_t fillKindOf(const VolumePart& part) {
+    if (part.kind == Kind::Cap) return part.what == CAP_DARK ? FILL_DARK_CAPS : FILL_LIGHT_CAPS;
+    return part.what % LIST_KINDS == LIST_HALVED ? FILL_HALVED_SIDES : FILL_SIDES;
+}
+
 }  // namespace
 
 std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l,
@@ -140,11 +145,6 @@ VolumeRenderer::VolumeRenderer(int samples)
       edgeOnSides_(programs("quad.vert", true, samples)),
       caps_(programs("cap.vert", false, samples)),
       edgeOnCaps_(programs("cap.vert", true, samples)) {}
-
-std::uint32_t fillKindOf(const VolumePart& part) {
-    if (part.kind == Kind::Cap) return part.what == CAP_DARK ? FILL_DARK_CAPS : FILL_LIGHT_CAPS;
-    return part.what % LIST_KINDS == LIST_HALVED ? FILL_HALVED_SIDES : FILL_SIDES;
-}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {

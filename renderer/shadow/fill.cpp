@@ -5,6 +5,19 @@
 
 namespace umbrage {
 
+namespace {
+
+/// What is counted; a plan that is all dark was decided without drawing.
+void drawAll(std::span<const CountPlan> plans, VolumeRenderer::Into into, VolumeRenderer& renderer,
+             const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    for (const CountPlan& plan : plans) {
+        if (plan.allDark) continue;
+        for (const VolumePart& part : plan.parts) renderer.draw(part, into, geometry, silhouettes, group, l);
+    }
+}
+
+}  // namespace
+
 FillMeter::FillMeter(const gpu::Texture& depthStencil)
     : depthStencil_(depthStencil),
       fragments_("volume fragments", GL_R32F, depthStencil.size(), nullptr),
@@ -26,13 +39,8 @@ VolumeFill FillMeter::measure(std::span<const CountPlan> plans, bool casters, Vo
     depthStencil_.bind(0);
     const gpu::SampleQuery query("volume fragments");
     query.begin();
-    for (const CountPlan& plan : plans) {
-        if (plan.allDark) continue;  // decided without drawing
-        for (const VolumePart& part : plan.parts) {
-            const auto into = casters ? VolumeRenderer::Into::Tally : VolumeRenderer::Into::Fill;
-            renderer.draw(part, into, geometry, silhouettes, group, l);
-        }
-    }
+    const auto into = casters ? VolumeRenderer::Into::Tally : VolumeRenderer::Into::Fill;
+    drawAll(plans, into, renderer, geometry, silhouettes, group, l);
     query.end();
     fill.queried = query.result();
     fill.fragments = fragments_.readMean(1);
@@ -44,9 +52,9 @@ VolumeFill FillMeter::measure(std::span<const CountPlan> plans, bool casters, Vo
     return fill;
 }
 
-void FillMeter::attribute(std::span<const CountPlan> plans, std::span<const std::uint32_t> casters,
+void FillMeter::attribute(std::span<const std::vector<CountPlan>> plans, std::span<const std::uint32_t> casters,
                           VolumeRenderer& renderer, const Geometry& geometry, const Silhouettes& silhouettes,
-                          const LightGroup& group, std::uint32_t l, CasterPlanes& planes) {
+                          const LightGroup& group, CasterPlanes& planes) {
     if (attributed_.empty()) {
         std::vector<gpu::Framebuffer::Attachment> colors;
         attributed_.reserve(ATTRIBUTED / 4);
@@ -63,11 +71,8 @@ void FillMeter::attribute(std::span<const CountPlan> plans, std::span<const std:
     for (const gpu::ScreenTarget& four : attributed_) four.clear();
     allAttributed_.bind();
     ranks_.bindStorage(BIND_FILL);
-    for (const CountPlan& plan : plans) {
-        if (plan.allDark) continue;
-        for (const VolumePart& part : plan.parts) {
-            renderer.draw(part, VolumeRenderer::Into::Casters, geometry, silhouettes, group, l);
-        }
+    for (std::uint32_t l = 0; l < plans.size(); ++l) {
+        drawAll(plans[l], VolumeRenderer::Into::Casters, renderer, geometry, silhouettes, group, l);
     }
     for (std::size_t first = 0; first < casters.size(); first += 4) {
         const std::vector<float> four = attributed_[first / 4].readMean(4);

@@ -33,11 +33,12 @@ public:
                        const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group,
                        std::uint32_t l);
 
-    /// Adds to the planes of some casters what the light's volumes of each fill. Waits.
+    /// Adds to the planes of some casters what their volumes fill, of all lights of a group. Waits.
+    /// @param plans  of each light
     /// @param casters  at most ATTRIBUTED
-    void attribute(std::span<const CountPlan> plans, std::span<const std::uint32_t> casters, VolumeRenderer& renderer,
-                   const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l,
-                   CasterPlanes& planes);
+    void attribute(std::span<const std::vector<CountPlan>> plans, std::span<const std::uint32_t> casters,
+                   VolumeRenderer& renderer, const Geometry& geometry, const Silhouettes& silhouettes,
+                   const LightGroup& group, CasterPlanes& planes);
 
 private:
     const gpu::Texture& depthStencil_;

@@ -278,13 +278,15 @@ TEST(Fill, DiagnosticsAreNotCountedAsTheFramesWork) {
         Statistics statistics;
         FrameOutputs outputs;
         outputs.figures = true;
-        outputs.overdraw = outputs.hulls = outputs.topCasters = more;
+        outputs.overdraw = outputs.hulls = outputs.topCasters = outputs.scene = more;
+        if (more) outputs.aovs = {"position", "ids", "motion", "silhouette", "cost"};
         renderer.render(subject.moment(), subject.camera, outputs, 1, statistics);
         const Json values = Json::parse(statistics.file({}).json())["frames"][0]["values"];
         EXPECT_GT(values["device.draws"], 3);
         EXPECT_GT(values["device.uploaded"], 0);
         EXPECT_GE(values["memory.device"].get<double>(), 128.0 * 96 * 4 * 8);
-        return std::array<Json, 3>{values["device.draws"], values["device.dispatches"], values["device.stateChanges"]};
+        return std::array<Json, 5>{values["device.draws"], values["device.dispatches"], values["device.stateChanges"],
+                                   values["device.uploaded"], values["device.readBack"]};
     };
     EXPECT_EQ(work(true), work(false));
 }
