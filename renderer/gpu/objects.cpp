@@ -35,15 +35,15 @@ void checkGl(const std::string& doing) {
                 "a smaller picture, fewer samples or fewer lights need less");
 }
 
-Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data)
-    : allocation_(sizeBytes), sizeBytes_(sizeBytes) {
+Buffer::Buffer(const char* label, std::size_t sizeBytes, const void* data) : sizeBytes_(sizeBytes) {
     if (data) activity().uploadedBytes += sizeBytes;
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<deleteBuffer>(name);
     // An empty buffer is given a little: a binding of size 0 is an error, and nothing reads it.
-    glNamedBufferStorage(name, GLsizeiptr(sizeBytes ? sizeBytes : 16), sizeBytes ? data : nullptr,
-                         GL_DYNAMIC_STORAGE_BIT);
+    const std::size_t allocated = sizeBytes ? sizeBytes : 16;
+    allocation_ = Allocation(allocated);
+    glNamedBufferStorage(name, GLsizeiptr(allocated), sizeBytes ? data : nullptr, GL_DYNAMIC_STORAGE_BIT);
     glObjectLabel(GL_BUFFER, name, -1, label);
     checkGl(fmt::format("to make the buffer '{}' of {} bytes", label, sizeBytes));
 }

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "counter_checks.h"
 #include "judge/truth.h"
 #include "oracle/predicates.h"
 #include "subjects.h"
@@ -160,8 +161,10 @@ TEST(SceneOverdraw, OfBoxesIsThatOfMeshoptimizer) {
         mesh.indices.data(), mesh.indices.size(), &mesh.positions[0].x, mesh.positions.size(), sizeof(glm::vec3));
     std::printf("covered %.0f and %u, overdraw %.4f and %.4f\n", seen.covered, analysed.pixels_covered,
                 seen.shaded / seen.covered, double(analysed.overdraw));
-    EXPECT_NEAR(seen.covered, analysed.pixels_covered, 0.02 * analysed.pixels_covered);
-    EXPECT_NEAR(seen.shaded / seen.covered, analysed.overdraw, 0.02 * double(analysed.overdraw));
+    expectCounter("scene.covered", "meshoptimizer, boxes", seen.covered, analysed.pixels_covered,
+                  0.02 * analysed.pixels_covered);
+    expectCounter("scene.overdraw", "meshoptimizer, boxes", seen.shaded / seen.covered, double(analysed.overdraw),
+                  0.02 * double(analysed.overdraw));
     EXPECT_GT(seen.shaded, 1.5 * seen.covered);
 }
 
@@ -173,9 +176,13 @@ TEST_P(SceneOverdrawOf, IsThatOfViewRays) {
     const Seen seen = seenBySixCameras(largestMesh(GetParam()), rays);
     std::printf("%s: fragments %.0f and %.0f, covered %.0f and %.0f, shaded %.0f and %.0f\n", GetParam(),
                 seen.fragments, rays.fragments, seen.covered, rays.covered, seen.shaded, rays.shaded);
-    EXPECT_NEAR(seen.fragments, rays.fragments, 1e-3 * rays.fragments);
-    EXPECT_NEAR(seen.covered, rays.covered, 1e-3 * rays.covered);
-    EXPECT_NEAR(seen.shaded, rays.shaded, 1e-3 * rays.shaded);
+    expectCounter("scene.fragments", "view rays", seen.fragments, rays.fragments, 1e-3 * rays.fragments);
+    expectCounter("scene.covered", "view rays", seen.covered, rays.covered, 1e-3 * rays.covered);
+    expectCounter("scene.shaded", "view rays", seen.shaded, rays.shaded, 1e-3 * rays.shaded);
+    expectCounter("scene.depthComplexity", "view rays", seen.fragments / seen.covered, rays.fragments / rays.covered,
+                  1e-3 * rays.fragments / rays.covered);
+    expectCounter("scene.overdraw", "view rays", seen.shaded / seen.covered, rays.shaded / rays.covered,
+                  1e-3 * rays.shaded / rays.covered);
     EXPECT_GT(seen.fragments, seen.covered);
 }
 

@@ -16,22 +16,17 @@ std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise) {
     return text ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-FrameSettings settingsOf(const Subject& subject, const How& how) {
-    FrameSettings settings = subject.settings();
+}  // namespace
+
+FrameSettings Subject::settings(const How& how) const {
+    FrameSettings settings;
+    settings.width = width;
+    settings.height = height;
     settings.silhouette = how.technique.silhouette;
     settings.count = how.technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
     settings.halveEvenComponents = how.halve;
     settings.skipOutOfReach = how.skipOutOfReach;
     settings.shadows = how.shadows;
-    return settings;
-}
-
-}  // namespace
-
-FrameSettings Subject::settings() const {
-    FrameSettings settings;
-    settings.width = width;
-    settings.height = height;
     return settings;
 }
 
@@ -80,7 +75,7 @@ FramePixels picture(const Subject& subject, const Moment& moment, const How& how
     outputs.samples = true;
     outputs.counts = how.counts;
     Statistics statistics;
-    return FrameRenderer(subject.scene, moment, settingsOf(subject, how), context())
+    return FrameRenderer(subject.scene, moment, subject.settings(how), context())
         .render(moment, subject.camera, outputs, 1, statistics);
 }
 

@@ -15,6 +15,12 @@ namespace umbrage::test {
 
 using oracle::Corners;
 
+/// By which means to picture.
+struct How {
+    Technique technique = {"compute", "z-pass"};
+    bool halve = true, skipOutOfReach = true, shadows = true, counts = false;
+};
+
 /// Something to picture.
 struct Subject {
     std::string name;
@@ -26,7 +32,7 @@ struct Subject {
     bool tied = false;       // coordinates are on a grid: depths tie, lights lie in planes
     std::uint64_t seed = 0;  // 0: one of ours
 
-    FrameSettings settings() const;
+    FrameSettings settings(const How& how = {}) const;
     Moment moment() const { return evaluate(scene, animations, timeSeconds); }
 };
 
@@ -35,11 +41,6 @@ Subject ours(const std::string& name, int width, int height);
 
 /// Random scenes (more with UMBRAGE_RANDOM_SCENES=number, others with UMBRAGE_RANDOM_SEED=first) and two of ours.
 const std::vector<Subject>& subjects();
-
-struct How {
-    Technique technique = {"compute", "z-pass"};
-    bool halve = true, skipOutOfReach = true, shadows = true, counts = false;
-};
 
 FramePixels picture(const Subject& subject, const Moment& moment, const How& how = {});
 inline FramePixels picture(const Subject& subject, const How& how = {}) {

@@ -2,6 +2,7 @@
 // The tables of counters and quantities.
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <set>
 
 #include "diagnostics/statistics.h"
@@ -23,6 +24,16 @@ TEST(Counters, AreFoundByNameWhileCompiling) {
     constexpr Counter counter = "overdraw.updates";
     static_assert(counter.info().name == "overdraw.updates");
     EXPECT_EQ(counter.info().unit, "count");
+}
+
+TEST(Counters, AreInTheTableOfIndependentCounts) {
+    std::ifstream file(std::string(UMBRAGE_SOURCE_DIR) + "/docs/counter-checks.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const CounterInfo& counter : kCounters) {
+        const bool isClock = counter.name.starts_with("time.") || counter.name == "memory.peak";
+        if (isClock || counter.name == "overdraw.queried") continue;  // the page says why
+        EXPECT_THAT(page, testing::HasSubstr("| `" + std::string(counter.name) + "` |"));
+    }
 }
 
 TEST(Counters, RatiosNameTwoCountersThatAddUp) {
