@@ -68,6 +68,7 @@ struct FrameRenderer::Impl {
     GBuffer gbuffer;
     Resolve resolve;
     std::unique_ptr<SilhouetteTechnique> technique;
+    std::unique_ptr<CountTechnique> count;
     Silhouettes silhouettes;
     LayerBound layerBound{geometry};
     VolumeRenderer volumes{settings.samples};
@@ -88,7 +89,8 @@ struct FrameRenderer::Impl {
           surfaces(s, geometry),
           gbuffer(wanted.width, wanted.height, checkedSamples(wanted.samples, context)),
           resolve(gbuffer),
-          technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)) {}
+          technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)),
+          count(makeCountTechnique(wanted.count)) {}
 
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
@@ -175,7 +177,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
         const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
         begin("time.silhouettes");
-        std::uint32_t byFail = settings.count == CountTechnique::ZFail ? ~0u : 0u;
+        std::uint32_t byFail = count->fromInfinity() ? ~0u : 0u;
         for (std::uint32_t l = 0; l < group.count; ++l) {
             // z-fail has no constant there and would need caps of both ends; z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
@@ -187,7 +189,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
             std::vector<CountPlan> plans =
-                planCounts(silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings);
+                count->plan({silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings});
             LightPlanes& planes = planesOf(lights[first + l]);
             for (const CountPlan& plan : plans) {
                 masks->count(plan, volumes, geometry, silhouettes, group, l);

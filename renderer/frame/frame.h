@@ -19,13 +19,10 @@
 
 namespace umbrage {
 
-enum class CountTechnique { ZPass, ZFail };
-
 struct FrameSettings {
     int width = 1024, height = 768, samples = 1;
     bool shadows = true;
-    std::string silhouette = "compute";
-    CountTechnique count = CountTechnique::ZPass;
+    std::string silhouette = "compute", count = "z-pass";  // of kSilhouettes and kCounts
     bool eyeConstant = true;
     // Skips: without effect on picture and masks. They change counts, so they are off whenever counts are asked for.
     bool halveEvenComponents = true;  // see shadow/counts.h

@@ -32,7 +32,7 @@ Technique techniqueAgainst(const Job& job) {
 
 void choose(const Technique& technique, FrameSettings& settings) {
     settings.silhouette = technique.silhouette;
-    settings.count = technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
+    settings.count = technique.count;
 }
 
 FrameSettings settingsOf(const Job& job, const Composition& composition) {

@@ -27,6 +27,7 @@ void expand(std::string_view source, std::string& out) {
 
 GLenum stageOf(std::string_view name) {
     if (name.ends_with(".vert")) return GL_VERTEX_SHADER;
+    if (name.ends_with(".geom")) return GL_GEOMETRY_SHADER;
     if (name.ends_with(".frag")) return GL_FRAGMENT_SHADER;
     return GL_COMPUTE_SHADER;
 }

@@ -21,10 +21,12 @@ public:
     using Defines = std::vector<std::string>;  // "SAMPLES 4"
 
     Program() = default;
-    /// A compute shader, or a vertex shader with or without a fragment shader. Compiled on first use: a run pays only
-    /// for the passes it needs.
-    explicit Program(std::string_view computeOrVertex, std::string_view fragment = {}, Defines defines = {})
-        : shaders_{std::string(computeOrVertex), std::string(fragment)}, defines_(std::move(defines)) {}
+    /// A compute shader, or a vertex shader with or without a fragment and a geometry shader. Compiled on first use: a
+    /// run pays only for the passes it needs.
+    explicit Program(std::string_view computeOrVertex, std::string_view fragment = {}, Defines defines = {},
+                     std::string_view geometry = {})
+        : shaders_{std::string(computeOrVertex), std::string(geometry), std::string(fragment)},
+          defines_(std::move(defines)) {}
 
     GLuint name() const;
     void use() const {
@@ -39,7 +41,7 @@ public:
     void dispatchGroups(GLuint groupCount) const;
 
 private:
-    std::string shaders_[2];
+    std::string shaders_[3];
     Defines defines_;
     mutable Handle<deleteProgram> handle_;
 };

@@ -25,6 +25,11 @@ std::string meaningsOf(const std::array<Entry, N>& table) {
     return text;
 }
 
+std::vector<std::string> orAuto(std::vector<std::string> names) {
+    names.insert(names.begin(), "auto");
+    return names;
+}
+
 Type<float> single(const Limits& limits = {}) {
     return converted<float>(
         number(limits), [](double value, const YamlNode&) { return static_cast<float>(value); },
@@ -113,9 +118,10 @@ Type<Job::Shadow> shadowSettings() {
         "shadow", "How shadows are found. auto takes the fastest exact technique and says which.",
         {
             field<Shadow>("enabled", boolean(), &Shadow::enabled, "off: everything is lit"),
-            field<Shadow>("count", choice({"auto", "z-pass", "z-fail"}), &Shadow::count, "How pixels are counted"),
-            field<Shadow>("silhouette", choice({"auto", "compute", "cpu"}), &Shadow::silhouette,
-                          "How silhouette edges are found"),
+            field<Shadow>("count", choice(orAuto(namesOf(kCounts))), &Shadow::count,
+                          "How pixels are counted: " + meaningsOf(kCounts)),
+            field<Shadow>("silhouette", choice(orAuto(namesOf(kSilhouettes))), &Shadow::silhouette,
+                          "How silhouette edges are found: " + meaningsOf(kSilhouettes)),
             field<Shadow>("eyeConstant", boolean(), &Shadow::eyeConstant,
                           "off: plain z-pass, which is wrong with the eye in a shadow"),
             field<Shadow>("skips", mapOf(boolean(), "a mapping {name of a skip: true or false}", namesOf(kSkips)),
@@ -138,9 +144,11 @@ Type<Job::Color> colorSettings() {
         });
 }
 
-std::vector<std::string> techniquesOrAuto() {
-    std::vector<std::string> names{"auto"};
-    names.insert(names.end(), kTechniques.begin(), kTechniques.end());
+std::vector<std::string> allTechniques() {
+    std::vector<std::string> names;
+    for (const std::string& silhouette : namesOf(kSilhouettes)) {
+        for (const std::string& count : namesOf(kCounts)) names.push_back(silhouette + ":" + count);
+    }
     return names;
 }
 
@@ -152,7 +160,7 @@ Type<Job::Diagnostics> diagnosticsSettings() {
             field<Diagnostics>("overlays", listOf(choice(namesOf(kOverlays)), "a list of overlays"),
                                &Diagnostics::overlays, "Pictures with a legend: " + meaningsOf(kOverlays)),
             field<Diagnostics>(
-                "against", choice(techniquesOrAuto()), &Diagnostics::against,
+                "against", choice(orAuto(allTechniques())), &Diagnostics::against,
                 "What the overlay techniques compares with; auto: the same silhouettes counted the other way"),
             field<Diagnostics>("burnIn", boolean(), &Diagnostics::burnIn,
                                "Writes frame, technique and largest value into a corner of each overlay"),

@@ -22,9 +22,16 @@ inline constexpr std::array kOverlays = {
     NameAndMeaning{"techniques", "the heat maps of two techniques side by side"},
 };
 
-/// Pairs silhouette:count, the default first.
-inline constexpr std::array<std::string_view, 4> kTechniques = {"compute:z-pass", "compute:z-fail", "cpu:z-pass",
-                                                                "cpu:z-fail"};
+// Techniques, the default first.
+inline constexpr std::array kSilhouettes = {
+    NameAndMeaning{"compute", "on the device, listed by compute shaders"},
+    NameAndMeaning{"cpu", "on the host"},
+};
+
+inline constexpr std::array kCounts = {
+    NameAndMeaning{"z-pass", "from the eye, with a constant for the volumes that hold it"},
+    NameAndMeaning{"z-fail", "from infinity, with caps"},
+};
 
 inline constexpr std::array kSkips = {
     NameAndMeaning{"halve", "one quad for two where every count is even"},

@@ -92,9 +92,10 @@ private:
 const std::vector<Technique>& allTechniques() {
     static const std::vector<Technique> all = [] {
         std::vector<Technique> made;
-        for (const std::string_view name : kTechniques) {
-            const std::size_t colon = name.find(':');
-            made.push_back({std::string(name.substr(0, colon)), std::string(name.substr(colon + 1))});
+        for (const NameAndMeaning& silhouette : kSilhouettes) {
+            for (const NameAndMeaning& count : kCounts) {
+                made.push_back({std::string(silhouette.name), std::string(count.name)});
+            }
         }
         return made;
     }();

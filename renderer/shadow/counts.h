@@ -11,27 +11,14 @@
 //  - whole: all other casters, and those that need caps or z-fail (T1, T4), with full multiplicities.
 #pragma once
 
+#include <memory>
+#include <string_view>
 #include <vector>
 
-#include "gpu/objects.h"
-#include "gpu/program.h"
-#include "gpu/state.h"
-#include "shadow/silhouette.h"
+#include "shadow/eye.h"
+#include "shadow/volumes.h"
 
 namespace umbrage {
-
-/// A part of a light's volumes that is drawn with one rule.
-struct VolumePart {
-    enum class Kind { Sides, Cap };
-    enum class Rule {
-        Pass,  // +1 front, -1 back where nearer than what is seen
-        Fail,  // -1 front, +1 back where not nearer
-    };
-    Kind kind = Kind::Sides;
-    Rule rule = Rule::Pass;
-    std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
-    std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
-};
 
 /// What one count needs: its parts, and what the counter holds where nothing is in shadow.
 struct CountPlan {
@@ -50,46 +37,29 @@ struct CountSettings {
     std::vector<bool> holed;  // per instance: has alpha-masked triangles
 };
 
-/// The halved and the whole count of light `l` of the group, as far as there is something to count.
-/// @param layerBound  no more layers than these lie between the light and any point
-/// @param parallelToView  the light is directional, along an orthographic view: no view ray crosses a side (T5)
-std::vector<CountPlan> planCounts(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l,
-                                  std::uint32_t layerBound, bool parallelToView, const CountSettings& settings);
-
-/// Draws parts of volumes into whatever framebuffer is bound.
-class VolumeRenderer {
-public:
-    /// @param samples  of what is drawn into
-    explicit VolumeRenderer(int samples);
-
-    enum class Into {
-        Stencil,  // crossings, signed, into the stencil buffer (modulo 256)
-        Counter,  // the same into a float colour buffer by additive blending (T6)
-        Fill,     // fragments and count changes at each pixel, see shadow/fill.h
-        Tally,    // the same, and for each caster
-        Casters,  // fragments of some casters, see shadow/fill.h
-        Faces,    // for pictures, where they are before what is seen, see shadow/hulls.h
-        Lines,    // the same, only their borders
-    };
-    /// @param color  that each fragment of Faces and Lines adds
-    void setHullColor(const glm::vec4& color) { hullColor_ = color; }
-    void draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
-              const LightGroup& group, std::uint32_t l);
-
-private:
-    struct Programs {
-        gpu::Program stencil, counter, fill, tally, casters, hull;
-        const gpu::Program& of(Into into) const;
-    };
-    static Programs programs(const char* vertex, bool edgeOn, int samples);
-    void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);
-    void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
-                 const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
-
-    Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
-    gpu::VertexArray vertexArray_{"volumes"};
-    glm::vec4 hullColor_{1.0f};
-    gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
+/// What a technique plans the counts of one light from.
+struct CountInput {
+    const Silhouettes& silhouettes;
+    const LightGroup& group;
+    std::uint32_t l = 0;           // of the group
+    std::uint32_t layerBound = 0;  // no more layers than these lie between the light and any point
+    bool parallelToView = false;   // directional, along an orthographic view: no view ray crosses a side (T5)
+    const CountSettings& settings;
 };
+
+/// A way of counting. One a file: count_<name>.cpp; what they share is in counts.cpp and volumes.cpp.
+class CountTechnique {
+public:
+    virtual ~CountTechnique() = default;
+
+    /// Whether casters are counted by z-fail, from infinity, unless the eye is near their volumes; else from the eye.
+    virtual bool fromInfinity() const { return false; }
+
+    /// The halved and the whole count of a light, as far as there is something to count.
+    virtual std::vector<CountPlan> plan(const CountInput& input) const;
+};
+
+/// @param name  of kCounts
+std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name);
 
 }  // namespace umbrage

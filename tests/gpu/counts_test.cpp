@@ -15,8 +15,8 @@ TEST(Shadow, MoreLightsThanOneGroupHolds) {
                       {4.0 * std::cos(angle), 3.0 + 0.03 * i, 4.0 * std::sin(angle)});
     }
     const Moment moment = evaluate(test.scene, {}, 0.0);
-    const FramePixels pixels = render(test, CountTechnique::ZPass, "compute", true);
-    const FramePixels host = render(test, CountTechnique::ZFail, "cpu", true);
+    const FramePixels pixels = render(test, "z-pass", "compute", true);
+    const FramePixels host = render(test, "z-fail", "cpu", true);
     ASSERT_EQ(pixels.lights.size(), 70u);
     for (const std::size_t l : {0u, 31u, 32u, 45u, 63u, 64u, 69u}) {
         SCOPED_TRACE(l);
@@ -53,7 +53,7 @@ TEST(Frame, NothingToSeeIsBackground) {
 TEST(Frame, WithoutLightsThereIsStillGeometry) {
     TestScene test;
     test.add(ground(6.0f));
-    const FramePixels pixels = render(test, CountTechnique::ZPass, "compute", true);
+    const FramePixels pixels = render(test, "z-pass", "compute", true);
     const float* centre = &pixels.normalAndDepth[4 * (std::size_t(kHeight) / 2 * kWidth + kWidth / 2)];
     EXPECT_NEAR(centre[1], 1.0f, 1e-3f);
     EXPECT_NEAR(centre[3], std::sqrt(68.0f), 0.3f);  // from (0, 2, 8) to the origin, half a pixel aside
@@ -73,7 +73,7 @@ TEST(Shadow, E1StacksOfPlatesBeyondEightBits) {
         test.add(stack, true);
         test.addLight(LightType::Point, {0.1, 6.0, 0.1});
         expectRight(test);
-        const FramePixels counted = render(test, CountTechnique::ZPass, "compute", true, true);
+        const FramePixels counted = render(test, "z-pass", "compute", true, true);
         const std::vector<std::uint32_t>& counts = counted.lights[0].counts;
         EXPECT_EQ(*std::max_element(counts.begin(), counts.end()), std::uint32_t(plates > 255 ? plates : plates % 256));
     }
@@ -135,8 +135,8 @@ TEST(Shadow, M1CountsOfPassAndFailAgreeEverywhere) {
     test.add(quad({-2, 3, -1}, {2, 3, -1}, {2, 3.3f, 1}, {-2, 3.3f, 1}), true);
     test.addLight(LightType::Point, {2.0, 7.0, 1.5});
     test.addLight(LightType::Directional, {-1.0, 2.0, 0.5});
-    const FramePixels pass = render(test, CountTechnique::ZPass, "compute", true, true);
-    const FramePixels fail = render(test, CountTechnique::ZFail, "cpu", true, true);
+    const FramePixels pass = render(test, "z-pass", "compute", true, true);
+    const FramePixels fail = render(test, "z-fail", "cpu", true, true);
     for (std::size_t l = 0; l < 2; ++l) {
         int differences = 0, deepest = 0;
         for (std::size_t i = 0; i < pass.lights[l].counts.size(); ++i) {

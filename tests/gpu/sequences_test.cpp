@@ -82,9 +82,9 @@ TEST_P(Sequence, PassAndFailAgree) {
     settings.width = job.image.width;
     settings.height = job.image.height;
     const Moment first = momentOf(job.time.frames.frames().front());
-    settings.count = CountTechnique::ZPass;
+    settings.count = "z-pass";
     FrameRenderer pass(composition.scene, first, settings, context);
-    settings.count = CountTechnique::ZFail;
+    settings.count = "z-fail";
     FrameRenderer fail(composition.scene, first, settings, context);
     FrameOutputs outputs;
     outputs.shadows = outputs.counts = true;

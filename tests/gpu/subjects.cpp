@@ -23,7 +23,7 @@ FrameSettings Subject::settings(const How& how) const {
     settings.width = width;
     settings.height = height;
     settings.silhouette = how.technique.silhouette;
-    settings.count = how.technique.count == "z-fail" ? CountTechnique::ZFail : CountTechnique::ZPass;
+    settings.count = how.technique.count;
     settings.halveEvenComponents = how.halve;
     settings.skipOutOfReach = how.skipOutOfReach;
     settings.shadows = how.shadows;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <stdexcept>
+#include <string>
+
+#include "shadow/counts.h"
+
+namespace umbrage {
+
+// One line a technique; each is in a file of its name.
+std::unique_ptr<CountTechnique> makeZPass();
+std::unique_ptr<CountTechnique> makeZFail();
+
+std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name) {
+    if (name == "z-pass") return makeZPass();
+    if (name == "z-fail") return makeZFail();
+    throw std::logic_error("no such count technique: " + std::string(name));
+}
+
+}  // namespace umbrage

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadow volumes drawn: their sides and caps, part by part, into whatever is bound.
+#pragma once
+
+#include <vector>
+
+#include "gpu/objects.h"
+#include "gpu/program.h"
+#include "gpu/state.h"
+#include "shadow/silhouette.h"
+
+namespace umbrage {
+
+/// A part of a light's volumes that is drawn with one rule.
+struct VolumePart {
+    enum class Kind { Sides, Cap };
+    enum class Rule {
+        Pass,  // +1 front, -1 back where nearer than what is seen
+        Fail,  // -1 front, +1 back where not nearer
+    };
+    Kind kind = Kind::Sides;
+    Rule rule = Rule::Pass;
+    std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
+    std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
+};
+
+/// Draws parts of volumes into whatever framebuffer is bound.
+class VolumeRenderer {
+public:
+    /// @param samples  of what is drawn into
+    explicit VolumeRenderer(int samples);
+
+    enum class Into {
+        Stencil,  // crossings, signed, into the stencil buffer (modulo 256)
+        Counter,  // the same into a float colour buffer by additive blending (T6)
+        Fill,     // fragments and count changes at each pixel, see shadow/fill.h
+        Tally,    // the same, and for each caster
+        Casters,  // fragments of some casters, see shadow/fill.h
+        Faces,    // for pictures, where they are before what is seen, see shadow/hulls.h
+        Lines,    // the same, only their borders
+    };
+    /// @param color  that each fragment of Faces and Lines adds
+    void setHullColor(const glm::vec4& color) { hullColor_ = color; }
+    void draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
+              const LightGroup& group, std::uint32_t l);
+
+private:
+    struct Programs {
+        gpu::Program stencil, counter, fill, tally, casters, hull;
+        const gpu::Program& of(Into into) const;
+    };
+    static Programs programs(const char* vertex, bool edgeOn, int samples);
+    void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);
+    void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
+                 const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+
+    Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
+    gpu::VertexArray vertexArray_{"volumes"};
+    glm::vec4 hullColor_{1.0f};
+    gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
+};
+
+}  // namespace umbrage
