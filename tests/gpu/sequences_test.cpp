@@ -9,9 +9,9 @@
 #include <filesystem>
 
 #include "frame/frame.h"
-#include "gpu/context.h"
 #include "job/job.h"
 #include "scene/compose.h"
+#include "techniques.h"
 
 namespace umbrage::test {
 namespace {
@@ -37,7 +37,6 @@ bool onBoundary(const std::vector<T>& plane, int width, int height, int x, int y
 TEST(Textbook, ZPassWithoutTheEyeConstantIsWrongInNestedVolumes) {
     const Job job = readJob(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs/nested.yaml");
     const Composition composition = compose(job);
-    const gpu::Context context;
     const Moment moment = evaluate(composition.scene, composition.animations, 0.0);
     const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
     FrameSettings settings;
@@ -47,10 +46,10 @@ TEST(Textbook, ZPassWithoutTheEyeConstantIsWrongInNestedVolumes) {
     outputs.shadows = true;
     Statistics statistics;
     const FramePixels right =
-        FrameRenderer(composition.scene, moment, settings, context).render(moment, camera, outputs, 1, statistics);
+        FrameRenderer(composition.scene, moment, settings, context()).render(moment, camera, outputs, 1, statistics);
     settings.eyeConstant = false;
     const FramePixels wrong =
-        FrameRenderer(composition.scene, moment, settings, context).render(moment, camera, outputs, 1, statistics);
+        FrameRenderer(composition.scene, moment, settings, context()).render(moment, camera, outputs, 1, statistics);
     std::size_t differs = 0;
     for (std::size_t i = 0; i < right.lights[0].shadow.size(); ++i) {
         differs += right.lights[0].shadow[i] != wrong.lights[0].shadow[i];
@@ -74,7 +73,6 @@ TEST_P(Sequence, PassAndFailAgree) {
         job.time.frames = frames.size() > 1 ? FrameRange::parse("1," + std::to_string(last), "test") : job.time.frames;
     }
     const Composition composition = compose(job);
-    static const gpu::Context context;
     const auto momentOf = [&](int frame) {
         return evaluate(composition.scene, composition.animations, frame / job.time.framesPerSecond);
     };
@@ -83,9 +81,9 @@ TEST_P(Sequence, PassAndFailAgree) {
     settings.height = job.image.height;
     const Moment first = momentOf(job.time.frames.frames().front());
     settings.count = "z-pass";
-    FrameRenderer pass(composition.scene, first, settings, context);
+    FrameRenderer pass(composition.scene, first, settings, context());
     settings.count = "z-fail";
-    FrameRenderer fail(composition.scene, first, settings, context);
+    FrameRenderer fail(composition.scene, first, settings, context());
     FrameOutputs outputs;
     outputs.shadows = outputs.counts = true;
 

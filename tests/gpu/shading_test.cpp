@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "sheets.h"
+#include "techniques.h"
 
 namespace umbrage::test {
 namespace {
 
 class Shading : public testing::Test {
 protected:
-    gpu::Context context;
+    const gpu::Context& context = test::context();
     Sheets sheets;
 
     void expectColor(const FramePixels& pixels, int x, int y, const glm::dvec3& expected, double tolerance = 1e-3) {
