@@ -17,6 +17,7 @@
 #include "shading/resolve.h"
 #include "shading/surfaces.h"
 #include "shadow/bounds.h"
+#include "shadow/caster_parts.h"
 #include "shadow/counts.h"
 #include "shadow/geometry.h"
 #include "shadow/layers.h"
@@ -70,6 +71,7 @@ struct FrameRenderer::Impl {
     std::unique_ptr<SilhouetteTechnique> technique;
     std::unique_ptr<CountTechnique> count;
     Silhouettes silhouettes;
+    std::unique_ptr<CasterParts> casterParts;  // where counts are made by parts
     LayerBound layerBound{geometry};
     VolumeRenderer volumes{settings.samples};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
@@ -90,14 +92,19 @@ struct FrameRenderer::Impl {
           gbuffer(wanted.width, wanted.height, checkedSamples(wanted.samples, context)),
           resolve(gbuffer),
           technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)),
-          count(makeCountTechnique(wanted.count)) {}
+          count(makeCountTechnique(wanted.count)) {
+        if (!count->byParts()) return;
+        casterParts = std::make_unique<CasterParts>(s, first, geometry, wanted.parts);
+        silhouettes.parts = &casterParts->onDevice();
+    }
 
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
     void uploadView(const std::vector<const PlacedLight*>& lights);
     CountSettings findCasters(bool halve);
+    void chooseParts(const Moment& moment, const std::vector<const PlacedLight*>& lights, const LightGroup& group);
     void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
-    void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
+    void castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
     void readSamples(FramePixels& pixels);
@@ -167,8 +174,15 @@ void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vec
     }
 }
 
-void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
-                                      FrameRecorder& recorder, const PlanesOf& planesOf) {
+void FrameRenderer::Impl::chooseParts(const Moment& moment, const std::vector<const PlacedLight*>& lights,
+                                      const LightGroup& group) {
+    std::vector<Homogeneous> homogeneous;
+    for (std::uint32_t l = 0; l < group.count; ++l) homogeneous.push_back(shadowLight(*lights[group.first + l]));
+    casterParts->choose(moment, geometry, homogeneous, group.first, eye);
+}
+
+void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights,
+                                      const FrameOutputs& outputs, FrameRecorder& recorder, const PlanesOf& planesOf) {
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
     const CountSettings countSettings = findCasters(halve);
@@ -183,6 +197,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
         markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
+        if (casterParts) chooseParts(moment, lights, group);
         findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures}, silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
@@ -299,7 +314,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.begin("time.gbuffer");
     r.gbuffer.begin(eye.emptyDepth());
     r.surfaces.drawOpaque(r.geometry, r.materials);
-    r.castShadows(lights, outputs, recorder, planesOf);
+    r.castShadows(moment, lights, outputs, recorder, planesOf);
     if (outputs.radiance) pixels.radiance = r.shade();
     gpu::checkGl("while rendering");
     r.profiler.pass(gpu::Profiler::kNoPass);

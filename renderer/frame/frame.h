@@ -24,6 +24,7 @@ struct FrameSettings {
     bool shadows = true;
     std::string silhouette = "compute", count = "z-pass";  // of kSilhouettes and kCounts
     bool eyeConstant = true;
+    JobParts parts;
     // Skips: without effect on picture and masks. They change counts, so they are off whenever counts are asked for.
     bool halveEvenComponents = true;  // see shadow/counts.h
     bool skipOutOfReach = true;       // see shadow/bounds.h

@@ -43,6 +43,7 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     settings.shadows = job.shadow.enabled;
     choose(techniqueOf(job), settings);
     settings.eyeConstant = job.shadow.eyeConstant;
+    settings.parts = job.shadow.parts;
     const auto skip = [&](const char* name) {
         const auto found = job.shadow.skips.find(name);
         return found == job.shadow.skips.end() || found->second;

@@ -72,7 +72,8 @@ void VolumeDiagnostics::measure(std::span<const CountPlan> plans, const LightGro
         pixels_->overdrawUpdates[i] += fill.updates[i];
     }
     if (outputs_->figures) {
-        const bool counted = std::none_of(plans.begin(), plans.end(), [](const CountPlan& p) { return p.allDark; });
+        const bool counted =
+            std::none_of(plans.begin(), plans.end(), [](const CountPlan& p) { return p.allDark || !p.starts.empty(); });
         recorder.light(planes.id, l, silhouettes_, halve, fill, counted, planes.counts);
     }
     for (std::size_t i = 0; outputs_->topCasters && i < fill.casters.size(); ++i) {

@@ -98,6 +98,21 @@ struct JobDisplacement {
     float amplitude = 0.1f, frequency = 3.0f, speed = 1.0f;  // kind: noise
 };
 
+/// shadow.splitPlane: {"/Glob*": ...}
+struct JobSplitPlane {
+    Located<std::string> glob{};
+    std::string plane = "auto";                                  // as JobParts::splitPlane
+    std::optional<std::array<std::array<double, 3>, 2>> points{};  // in the node's space; then the plane is through them
+};
+
+/// How casters are divided, for counts that differ from part to part.
+struct JobParts {
+    bool automatic = true;                      // else an instance each ...
+    std::vector<Located<std::string>> globs{};    // ... but for what is at and below each node that these match
+    std::string splitPlane = "auto";            // point-camera-light, point-point-light
+    std::vector<JobSplitPlane> ownSplitPlanes{};  // of some nodes' parts
+};
+
 struct Job {
     std::filesystem::path file;  // the sequence file, for messages; or the bare scene
     std::vector<GltfLayer> gltfLayers;
@@ -123,9 +138,10 @@ struct Job {
 
     struct Shadow {
         bool enabled = true;
-        std::string count = "auto";         // z-pass, z-fail
-        std::string silhouette = "auto";    // compute, cpu
-        bool eyeConstant = true;            // off: the textbook z-pass, wrong with the eye in a volume
+        std::string count = "auto";       // z-pass, z-fail
+        std::string silhouette = "auto";  // compute, cpu
+        bool eyeConstant = true;          // off: the textbook z-pass, wrong with the eye in a volume
+        JobParts parts;
         std::map<std::string, bool> skips;  // skip name -> on; absent: on
     } shadow;
 

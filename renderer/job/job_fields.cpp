@@ -112,6 +112,52 @@ Type<Job::ImageSettings> imageSettings() {
         });
 }
 
+Type<JobParts> casterParts() {
+    const auto named = converted<JobParts>(
+        choice({"auto", "instances"}),
+        [](const std::string& name, const YamlNode&) { return JobParts{.automatic = name == "auto"}; },
+        [](const JobParts& parts) { return parts.automatic ? "auto" : "instances"; });
+    const auto globs = converted<JobParts>(
+        listOf(located(text("a glob of node paths")), "a list of globs"),
+        [](const auto& list, const YamlNode&) { return JobParts{.automatic = false, .globs = list}; });
+    return either(named, globs, [](const YamlNode& node) { return !node.isSequence(); });
+}
+
+using SplitPlanes = std::pair<std::string, std::vector<JobSplitPlane>>;
+
+Type<SplitPlanes> splitPlanes() {
+    const std::vector<std::string> names = {"auto", "point-camera-light", "point-point-light"};
+    const auto named = converted<JobSplitPlane>(
+        choice(names), [](const std::string& name, const YamlNode&) { return JobSplitPlane{.plane = name}; });
+    using Point = std::array<double, 3>;
+    const auto point = arrayOf<3>(number(), "a list [x, y, z]");
+    const auto through = mapping<JobSplitPlane>(
+        "splitPlane", "A split plane through the light and two points.",
+        {fieldThrough<JobSplitPlane, std::array<Point, 2>>(
+             "points", arrayOf<2>(point, "a list [[x, y, z], [x, y, z]]"),
+             [](JobSplitPlane& plane, const std::array<Point, 2>& points) { plane.points = points; },
+             "The points, in the node's space")
+             .required()});
+    const auto ofNodes = converted<SplitPlanes>(
+        dictionary(either(named, through, [](const YamlNode& node) { return !node.isMapping(); }),
+                   "a mapping {glob: name, or points, ...}"),
+        [](const auto& entries, const YamlNode&) {
+            SplitPlanes made{"auto", {}};
+            for (const auto& [glob, plane] : entries) {
+                made.second.push_back(plane);
+                made.second.back().glob = glob;
+            }
+            return made;
+        });
+    const auto ofAll = converted<SplitPlanes>(
+        choice(names),
+        [](const std::string& name, const YamlNode&) {
+            return SplitPlanes{name, {}};
+        },
+        [](const SplitPlanes& planes) { return planes.first; });
+    return either(ofAll, ofNodes, [](const YamlNode& node) { return !node.isMapping(); });
+}
+
 Type<Job::Shadow> shadowSettings() {
     using Shadow = Job::Shadow;
     return mapping<Shadow>(
@@ -124,6 +170,22 @@ Type<Job::Shadow> shadowSettings() {
                           "How silhouette edges are found: " + meaningsOf(kSilhouettes)),
             field<Shadow>("eyeConstant", boolean(), &Shadow::eyeConstant,
                           "off: plain z-pass, which is wrong with the eye in a shadow"),
+            fieldThrough<Shadow, JobParts>(
+                "parts", casterParts(),
+                [](Shadow& shadow, const JobParts& parts) {
+                    shadow.parts.automatic = parts.automatic, shadow.parts.globs = parts.globs;
+                },
+                "Which casters split-plane counts as one: auto divides meshes anew for every light and eye; instances "
+                "takes each mesh of each node; globs make one part of everything at and below each node they match",
+                Shadow{}.parts),
+            fieldThrough<Shadow, SplitPlanes>(
+                "splitPlane", splitPlanes(),
+                [](Shadow& shadow, const SplitPlanes& planes) {
+                    shadow.parts.splitPlane = planes.first, shadow.parts.ownSplitPlanes = planes.second;
+                },
+                "Where split-plane splits volumes, for all parts or by globs of nodes; auto: through the axis of thin "
+                "parts, else towards the eye",
+                SplitPlanes{"auto", {}}),
             field<Shadow>("skips", mapOf(boolean(), "a mapping {name of a skip: true or false}", namesOf(kSkips)),
                           &Shadow::skips,
                           "Turns single skips of work without effect off; all are on: " + meaningsOf(kSkips)),

@@ -31,6 +31,7 @@ inline constexpr std::array kSilhouettes = {
 inline constexpr std::array kCounts = {
     NameAndMeaning{"z-pass", "from the eye, with a constant for the volumes that hold it"},
     NameAndMeaning{"z-fail", "from infinity, with caps"},
+    NameAndMeaning{"split-plane", "of each part of the casters from the eye before a plane, from infinity behind it"},
 };
 
 inline constexpr std::array kSkips = {

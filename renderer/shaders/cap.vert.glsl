@@ -7,6 +7,7 @@
 // variant: EDGE_ON 1
 // variant: TALLY 1, EDGE_ON 1
 // variant: TALLY 1
+// variant: PARTS 1, TALLY 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "corners.glsl"
@@ -58,6 +59,9 @@ void main() {
     if (triangle >= instances[instance].triangleCount) return;
 #ifdef TALLY
     caster = instance;
+#endif
+#ifdef PARTS
+    part = partOfTriangle(placed);
 #endif
     uint flags = triangleFlags[instances[instance].triangleBase + triangle];
     uvec2 side = facing[facingBase + placed] & lightBit;

@@ -12,6 +12,16 @@ layout(location = 5) uniform uint countLit;
 /// (position, 1) or (direction towards the light, 0), of light l of this group.
 vec4 lightInModel(uint instance, uint l) { return lightsInModel[instance * totalLights + firstLight + l]; }
 
+#ifdef PARTS
+// Counting by parts: each has its own constants and hazards, of both ends of the view rays.
+layout(std430, binding = BIND_PARTS) buffer Parts { SplitPart parts[]; };
+layout(std430, binding = BIND_PART_OF) readonly buffer PartOf { uint partOf[]; };        // by cluster, for each light
+layout(std430, binding = BIND_CLUSTERS) readonly buffer Clusters { uint clusters[]; };  // per placed triangle
+layout(location = 8) uniform uint clusterCount;
+
+uint partOfTriangle(uint placed, uint l) { return partOf[l * clusterCount + clusters[placed]]; }
+#endif
+
 uint listOf(uint instance, uint l, bool even) {
     if ((casters[instance].countedByFail >> l & 1u) != 0u) return LIST_FAIL;
     bool halved = even && (instances[instance].flags & INSTANCE_WHOLE) == 0u && (casters[instance].lightOn >> l & 1u) == 0u;

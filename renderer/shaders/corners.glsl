@@ -15,6 +15,15 @@ layout(location = 3) flat out vec4 farB;
 layout(location = 4) flat out uint caster;
 #endif
 
+#ifdef PARTS
+layout(std430, binding = BIND_PART_OF) readonly buffer PartOf { uint partOf[]; };        // by cluster, for each light
+layout(std430, binding = BIND_CLUSTERS) readonly buffer Clusters { uint clusters[]; };  // per placed triangle
+layout(location = FIRST_CLUSTER) uniform uint firstCluster;                              // of this light
+layout(location = 5) flat out uint part;
+
+uint partOfTriangle(uint placed) { return partOf[firstCluster + clusters[placed]]; }
+#endif
+
 vec4 nearCorner(uint instance, vec3 p) { return clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0); }
 
 /// The projection of p from the light to infinity.

@@ -99,6 +99,61 @@ void append(uint list, uint l, uint entry, uint times) {
     }
 }
 
+#ifdef PARTS
+/// The count of a part may start from either end of the view rays, so neither may lie on its sides.
+/// @return whether the quad is drawn at all
+bool findHazards(uint instance, uint l, uint list, Edge edge, uint flags, vec4 eye, vec4 light, vec3 a, vec3 b) {
+    uint triangle = ((flags & QUAD_OF_RIGHT) != 0u ? edge.right : edge.left) & EDGE_TRIANGLE;
+    uint part = partOfTriangle(instances[instance].placedTriangleBase + triangle, l);
+    bool drawn = true;
+    for (uint end = SPLIT_PASS; end <= (eye.w == 0.0 ? SPLIT_FAIL : SPLIT_PASS); ++end) {
+        vec4 there = end == SPLIT_PASS ? eye : -eye;
+        if (hazardous(there, light, a, b)) atomicOr(parts[part].hazards, 1u << end);
+        if (endsInQuad(there, light, a, b)) drawn = false;
+    }
+    return drawn;
+}
+#else
+bool findHazards(uint instance, uint l, uint list, Edge edge, uint flags, vec4 eye, vec4 light, vec3 a, vec3 b) {
+    bool orthographic = eye.w == 0.0, fail = list == LIST_FAIL;
+    if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) return false;
+    if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
+        atomicOr(casters[instance].hazards, 1u << l);
+    }
+    return true;
+}
+#endif
+
+/// The sides of an edge for the lights for which its multiplicity is not 0.
+/// @param left, right  traversals by its triangles
+/// @param flags  0 or QUAD_OF_RIGHT
+void appendAll(uint instance, uint placed, Edge edge, uvec2 left, uvec2 right, uint flags) {
+    uvec2 twice = left & right;
+    uvec2 once = (left ^ right) & ~(left | right).yx;
+    uint silhouette = twice.x | twice.y | once.x | once.y;
+    while (silhouette != 0u) {
+        uint l = uint(findLSB(silhouette));
+        silhouette &= silhouette - 1u;
+        vec4 eye = instances[instance].eyeInModel;
+        vec4 light = lightInModel(instance, l);
+        uint vertexBase = instances[instance].vertexBase;
+        vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
+        bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
+        bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
+        uint list = listOf(instance, l, (edge.left & EDGE_EVEN) != 0u);
+#ifdef PARTS
+        if (list == LIST_HALVED && !isTwice) list = LIST_WHOLE;  // of an even component only another part has the rest
+#endif
+        if (!findHazards(instance, l, list, edge, flags, eye, light, a, b)) continue;
+        append(list + (isSliver(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative) | flags,
+               isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
+        if (countLit != 0u) {
+            atomicAdd(summaries[l].silhouetteEdges, 1u);
+            if (isTwice) atomicAdd(summaries[l].doubleEdges, 1u);
+        }
+    }
+}
+
 void main() {
     uint chunk = GROUP_HERE;
     if (chunk >= chunkCount) return;
@@ -124,29 +179,19 @@ void main() {
     left = facedAgain(instance, edge.left & EDGE_TRIANGLE, edge.a, edge.b);
     if (edge.right != EDGE_NONE) right = facedAgain(instance, edge.right & EDGE_TRIANGLE, edge.b, edge.a).yx;
 #endif
-    uvec2 twice = left & right;
-    uvec2 once = (left ^ right) & ~(left | right).yx;
-    uint silhouette = twice.x | twice.y | once.x | once.y;
-    while (silhouette != 0u) {
-        uint l = uint(findLSB(silhouette));
-        silhouette &= silhouette - 1u;
-        uint list = listOf(instance, l, (edge.left & EDGE_EVEN) != 0u);
-        vec4 eye = instances[instance].eyeInModel;
-        vec4 light = lightInModel(instance, l);
-        uint vertexBase = instances[instance].vertexBase;
-        vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
-        bool orthographic = eye.w == 0.0, fail = list == LIST_FAIL;
-        if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) continue;
-        bool negative = ((twice.y | once.y) >> l & 1u) != 0u;
-        bool isTwice = ((twice.x | twice.y) >> l & 1u) != 0u;
-        append(list + (isSliver(eye, light, a, b) ? LIST_EDGE_ON : 0u), l, placed << 1u | uint(negative),
-               isTwice && !(halve != 0u && list == LIST_HALVED) ? 2u : 1u);
-        if (countLit != 0u) {
-            atomicAdd(summaries[l].silhouetteEdges, 1u);
-            if (isTwice) atomicAdd(summaries[l].doubleEdges, 1u);
+#ifdef PARTS
+    uint placedBase = instances[instance].placedTriangleBase;
+    uint placedLeft = placedBase + (edge.left & EDGE_TRIANGLE), placedRight = placedBase + (edge.right & EDGE_TRIANGLE);
+    uint apart = 0u;  // lights for which it is an edge of two parts, with one triangle in each
+    if (edge.right != EDGE_NONE && clusters[placedLeft] != clusters[placedRight]) {
+        for (uint l = 0u; l < lightCount; ++l) {
+            if (partOfTriangle(placedLeft, l) != partOfTriangle(placedRight, l)) apart |= 1u << l;
         }
-        if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
-            atomicOr(casters[instance].hazards, 1u << l);
-        }
+        appendAll(instance, placed, edge, left & apart, uvec2(0u), 0u);
+        appendAll(instance, placed, edge, right & apart, uvec2(0u), QUAD_OF_RIGHT);
     }
+    appendAll(instance, placed, edge, left & ~apart, right & ~apart, 0u);
+#else
+    appendAll(instance, placed, edge, left, right, 0u);
+#endif
 }

@@ -2,6 +2,7 @@
 // Triangle setup: which side of every triangle faces each of up to 32 lights, decided here and nowhere else, stored and
 // used for all edges, caps and shading (docs/rules.md, G1); the triangle's plane in view space; and how many
 // layers lie between each light and the eye (the eye constant of z-pass, G5).
+// variant: PARTS 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "geometry.glsl"
@@ -111,31 +112,57 @@ bool eyeIsOn(vec4 homogeneousEye, vec3 n, vec3 a, vec3 b, vec3 c) {
            all(lessThanEqual(eye, max(a, max(b, c)) + near));
 }
 
+/// Whether the triangle lies between the light and an end of the view rays: the eye, or for an orthographic eye a
+/// direction.
+bool isOver(vec4 end, vec3 a, vec3 b, vec3 c, vec3 n, vec4 light, float lightSide, inout bool undecided) {
+    if (end.w == 0.0 && light.w == 0.0) return false;  // two points at infinity: no finite triangle lies between them
+    float endSide = sideOf(n, a, end);
+    if (endSide == 0.0 || (endSide > 0.0) == (lightSide > 0.0)) return false;
+    vec3 origin = end.w == 0.0 ? light.xyz : end.xyz;
+    vec3 d = end.w == 0.0 ? end.xyz : light.xyz - light.w * end.xyz;
+    return crosses(origin, d, a, b, c, undecided);
+}
+
+#ifdef PARTS
+/// Adds the triangle to its part's constant of either end of the view rays. A perspective eye sees no end at infinity:
+/// there the dark cap ends z-fail.
+void countEye(uint instance, uint l, uint placed, vec3 a, vec3 b, vec3 c, vec3 n, vec4 light, float lightSide) {
+    uint part = partOfTriangle(placed, l);
+    vec4 eye = instances[instance].eyeInModel;
+    for (uint end = SPLIT_PASS; end <= (eye.w == 0.0 ? SPLIT_FAIL : SPLIT_PASS); ++end) {
+        bool undecided = false;
+        if (isOver(end == SPLIT_PASS ? eye : -eye, a, b, c, n, light, lightSide, undecided)) {
+            atomicAdd(parts[part].eyeInside[end], 1u);
+            if (end == SPLIT_PASS) atomicAdd(summaries[l].eyeInside[LIST_WHOLE], 1u);
+        }
+        if (undecided) atomicOr(parts[part].hazards, 1u << end);
+    }
+}
+#else
 /// Adds the triangle to the eye constant of its list when it lies between light and eye. For an orthographic eye that
 /// is the infinite end of the view rays that the list's counting starts from: behind the viewer for z-pass, before it
 /// for z-fail (T5); a perspective z-fail ends in the dark cap and needs no constant.
 void countEye(uint instance, uint l, uint flags, vec3 a, vec3 b, vec3 c, vec3 n, vec4 light, float lightSide) {
     uint list = listOf(instance, l, (flags & TRIANGLE_EVEN) != 0u);
     vec4 eye = instances[instance].eyeInModel;
-    if (eye.w == 0.0) {
-        if (light.w == 0.0) return;  // two points at infinity: no finite triangle lies between them
-        if (list == LIST_FAIL) eye.xyz = -eye.xyz;
-    } else if (list == LIST_FAIL) {
-        return;
+    if (list == LIST_FAIL) {
+        if (eye.w != 0.0) return;
+        eye.xyz = -eye.xyz;
     }
-    float eyeSide = sideOf(n, a, eye);
-    if (eyeSide == 0.0 || (eyeSide > 0.0) == (lightSide > 0.0)) return;
-    vec3 origin = eye.w == 0.0 ? light.xyz : eye.xyz;
-    vec3 d = eye.w == 0.0 ? eye.xyz : light.xyz - light.w * eye.xyz;
     bool undecided = false;
-    if (crosses(origin, d, a, b, c, undecided)) atomicAdd(summaries[l].eyeInside[list], 1u);
+    if (isOver(eye, a, b, c, n, light, lightSide, undecided)) atomicAdd(summaries[l].eyeInside[list], 1u);
     if (undecided) atomicOr(casters[instance].hazards, 1u << l);
 }
+#endif
 
 /// For the statistics.
 void countCaps(uint instance, uint l, uint flags, vec4 light, float side) {
     if (side > 0.0) atomicAdd(summaries[l].litTriangles, 1u);
+#ifdef PARTS
+    const bool fail = true;  // somewhere
+#else
     bool fail = (casters[instance].countedByFail >> l & 1u) != 0u;
+#endif
     if (fail || (flags & TRIANGLE_HOLED) != 0u || casters[instance].missing != 0u) atomicAdd(summaries[l].lightCaps, 1u);
     if (fail && light.w != 0.0 && instances[instance].eyeInModel.w != 0.0) atomicAdd(summaries[l].darkCaps, 1u);
 }
@@ -180,11 +207,21 @@ void main() {
         if ((flags & TRIANGLE_CASTS) == 0u) continue;
         if (countLit != 0u) countCaps(instance, l, flags, light, side);
         counted |= bit;
+#ifdef PARTS
+        countEye(instance, l, placed, a, b, c, normal, light, side);
+#else
         countEye(instance, l, flags, a, b, c, normal, light, side);
+#endif
     }
     counted &= ~casters[instance].countedByFail;  // which needs no constant
     if (counted != 0u && eyeIsOn(instances[instance].eyeInModel, normal, a, b, c)) {
+#ifdef PARTS
+        for (; counted != 0u; counted &= counted - 1u) {
+            atomicOr(parts[partOfTriangle(placed, uint(findLSB(counted)))].hazards, 1u << SPLIT_PASS);
+        }
+#else
         atomicOr(casters[instance].hazards, counted);
+#endif
     }
 #if FAULT == FAULT_WRONG_FACING
     if (triangle % 64u == 7u) bits = bits.yx;

@@ -4,6 +4,7 @@
 // variant: EDGE_ON 1
 // variant: TALLY 1, EDGE_ON 1
 // variant: TALLY 1
+// variant: PARTS 1, TALLY 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "corners.glsl"
@@ -18,7 +19,7 @@ layout(location = 1) uniform uint totalLights;
 
 void main() {
     uint entry = quads[uint(gl_VertexID) >> 2u];
-    uint placed = entry >> 1u;
+    uint placed = (entry & ~QUAD_OF_RIGHT) >> 1u;
     uint instance = edgeChunks[placed >> CHUNK_SHIFT];
     Edge edge = edges[instances[instance].edgeBase + placed - instances[instance].placedEdgeBase];
     vec4 light = lightsInModel[instance * totalLights + lightIndex];
@@ -32,6 +33,10 @@ void main() {
     gl_Position = far ? farCorner(instance, p, light) : nearCorner(instance, p);
 #ifdef TALLY
     caster = instance;
+#endif
+#ifdef PARTS
+    uint triangle = ((entry & QUAD_OF_RIGHT) != 0u ? edge.right : edge.left) & EDGE_TRIANGLE;
+    part = partOfTriangle(instances[instance].placedTriangleBase + triangle);
 #endif
 #ifdef EDGE_ON
     vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);

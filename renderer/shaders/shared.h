@@ -32,6 +32,10 @@ using mat4 = glm::mat4;
 #define BIND_LIGHTS 12
 #define BIND_DRAWS 14
 #define BIND_CASTERS 15
+// Counting by parts alone has these, see split.glsl.
+#define BIND_PARTS 16
+#define BIND_PART_OF 17
+#define BIND_CLUSTERS 18
 
 // The deform pass runs before all others and borrows their bindings.
 #define BIND_DEFORM_NORMALS 8
@@ -130,9 +134,14 @@ struct Edge {
 
 // Uniform locations shared by programs that differ in their vertex shader.
 #define COUNT_FRONT_VALUE 15
+#define FIRST_CLUSTER 11
 #define HULL_COLOR 12
 #define TALLY_KIND 13
 #define TALLY_FAILED 14
+
+// What an entry of a list of side quads is beside placed edge << 1 | (m < 0): it belongs to the part of the edge's right
+// triangle, whose left one is of another part.
+#define QUAD_OF_RIGHT 0x80000000u
 
 // Kinds of caps, see cap.vert.glsl.
 #define CAP_TRUE 0
@@ -153,6 +162,17 @@ struct CasterState {
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight; as hazards
 };
+
+// A part of the casters of one light, counted by z-pass before its split plane and by z-fail behind it (Laine 2005).
+struct SplitPart {
+    vec4 points[2];      // view space; the second with w = 0: the plane turns towards the eye instead
+    vec4 plane;          // on screen, see split.glsl
+    uint eyeInside[2];   // its layers over the two ends of the view rays: SPLIT_PASS, SPLIT_FAIL
+    uint hazards;        // bits of the ends that lie on its volumes (T4)
+    uint unusedPart;
+};
+#define SPLIT_PASS 0
+#define SPLIT_FAIL 1
 
 // Casters that are told apart in one pass.
 #define ATTRIBUTED 12

@@ -4,6 +4,7 @@
 // variant: SAMPLES 4
 // variant: TALLY 1
 // variant: EDGE_ON 1, PUSHED_BACK 1
+// variant: PARTS 1, TALLY 1, EDGE_ON 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
@@ -12,15 +13,10 @@
 #else
 float heldDepth() { return gl_FragCoord.z; }
 #endif
-#ifndef SAMPLES
-#define SAMPLES 1
-#endif
-#if SAMPLES > 1
-layout(binding = 0) uniform sampler2DMS depthTexture;
-#define gbufferSample gl_SampleID
-#else
-layout(binding = 0) uniform sampler2D depthTexture;
-#define gbufferSample 0
+#include "depth_here.glsl"
+#ifdef PARTS
+#include "split.glsl"
+layout(location = 5) flat in uint part;
 #endif
 
 #ifdef TALLY
@@ -35,9 +31,16 @@ layout(location = 0) out vec4 outFragments;
 layout(location = 1) out vec4 outUpdates;
 
 void main() {
-    bool passed = clamp(heldDepth(), 0.0, 1.0) > texelFetch(depthTexture, ivec2(gl_FragCoord.xy), gbufferSample).r;
+    float depth = depthHere();
+    bool passed = clamp(heldDepth(), 0.0, 1.0) > depth, front = gl_FrontFacing, changes = passed != (failedCount != 0u);
+#ifdef PARTS
+    bool byPass = countsByPass(part, depth);
+    changes = passed == byPass;
+    front = gl_FrontFacing == byPass;  // it enters the volume on the way that is counted
+    passed = changes;                  // a caster has both rules, so what is told apart is what they make of it
+#endif
 #ifdef TALLY
-    if (gl_FrontFacing) {
+    if (front) {
         if (passed) atomicAdd(fill[caster].passedFront[kind], 1u);
         else atomicAdd(fill[caster].failedFront[kind], 1u);
     } else {
@@ -46,5 +49,5 @@ void main() {
     }
 #endif
     outFragments = vec4(1.0);
-    outUpdates = vec4(passed != (failedCount != 0u) ? 1.0 : 0.0);
+    outUpdates = vec4(changes ? 1.0 : 0.0);
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#ifndef VIEW_GLSL
+#define VIEW_GLSL
 #include "shared.h"
 
 layout(std140, binding = BIND_VIEW) uniform View { ViewData view; };
@@ -12,3 +14,4 @@ vec4 clipFromView(vec3 p, float w) {
     c.w = view.clipFromView[2][3] * p.z + view.clipFromView[3][3] * w;
     return c;
 }
+#endif

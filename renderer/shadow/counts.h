@@ -24,9 +24,11 @@ namespace umbrage {
 struct CountPlan {
     std::vector<VolumePart> parts;
     int litValue = 0;
-    bool allDark = false;          // the eye constant alone decides
-    bool wide = false;             // counts may exceed what 8 bits hold (T6)
-    std::uint32_t layerBound = 0;  // no count is larger
+    bool allDark = false;               // the eye constant alone decides
+    bool wide = false;                  // counts may exceed what 8 bits hold (T6)
+    std::uint32_t layerBound = 0;       // no count is larger
+    bool byParts = false;               // its parts have Rule::Split, so that it is wide ...
+    std::vector<std::uint32_t> starts;  // ... and these parts of the casters start from a constant of their own
 };
 
 /// What plans depend on beside the silhouettes.
@@ -54,6 +56,9 @@ public:
 
     /// Whether casters are counted by z-fail, from infinity, unless the eye is near their volumes; else from the eye.
     virtual bool fromInfinity() const { return false; }
+
+    /// Whether it counts by parts of the casters (Silhouettes::parts).
+    virtual bool byParts() const { return false; }
 
     /// The halved and the whole count of a light, as far as there is something to count.
     virtual std::vector<CountPlan> plan(const CountInput& input) const;

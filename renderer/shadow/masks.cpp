@@ -69,20 +69,42 @@ void Masks::countByBlending(const CountPlan& plan, VolumeRenderer& renderer, con
         wideCounts_ = gpu::Texture("wide counts", GL_R32F, size);
         const gpu::Framebuffer::Attachment color{&wideCounts_};
         wideTarget_ = gpu::Framebuffer("wide counts", std::span(&color, 1), &depthStencil_);
+        testedTarget_ = gpu::Framebuffer("tested counts", std::span(&color, 1), nullptr);
         markWideProgram_ = gpu::Program("fullscreen.vert", "mask.frag", {"COUNTS " + std::to_string(size.samples)});
+        startProgram_ =
+            gpu::Program("fullscreen.vert", "split_start.frag", {"SAMPLES " + std::to_string(size.samples)});
     }
-    wideTarget_.bind();
+    (plan.byParts ? testedTarget_ : wideTarget_).bind();
     gpu::RasterState state;
     state.color = gpu::ColorOp::Replace;
     gpu::apply(state);
     const float zero[4] = {};
     glClearBufferfv(GL_COLOR, 0, zero);
+    if (plan.byParts) {
+        depthStencil_.bind(0);
+        silhouettes.bind();
+        start(plan.starts);
+    }
     for (const VolumePart& part : plan.parts) {
         renderer.draw(part, VolumeRenderer::Into::Counter, geometry, silhouettes, group, l);
     }
     wideCounts_.bind(0);
     markWideProgram_.uniform(1, float(plan.litValue));
     mark(markWideProgram_, {}, group, l);
+}
+
+/// Adds what parts of the casters start from.
+void Masks::start(std::span<const std::uint32_t> parts) {
+    gpu::RasterState state;
+    state.color = gpu::ColorOp::Add;
+    gpu::apply(state);
+    startProgram_.use();
+    noVertices_.bind();
+    for (const std::uint32_t part : parts) {
+        startProgram_.uniform(0, part);
+        ++gpu::activity().draws;
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
 }
 
 void Masks::mark(const gpu::Program& program, const gpu::Stencil& stencil, const LightGroup& group, std::uint32_t l) {

@@ -12,6 +12,7 @@ void Silhouettes::bind() const {
     casters.bindStorage(BIND_CASTERS);
     summaries.bindStorage(BIND_SUMMARY);
     quads.bindStorage(BIND_QUADS);
+    if (parts) parts->bind();
 }
 
 void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out) {
@@ -52,6 +53,29 @@ void moveAcrossView(const gpu::InstanceData& instance, glm::vec4& light) {
     light += glm::vec4(0x1p-18f * size * across, 0.0f);
 }
 
+/// The same for parts whose volumes hold both ends of the view rays, so that neither count of theirs is safe.
+/// @return whether any light was moved
+bool moveLightsOfUnsafeParts(const Geometry& geometry, const LightGroup& group, std::vector<std::uint32_t>& moved,
+                             Silhouettes& out) {
+    constexpr std::uint32_t kBothEnds = 1u << SPLIT_PASS | 1u << SPLIT_FAIL;
+    bool any = false;
+    for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
+        const gpu::InstanceData& instance = geometry.instances()[i];
+        for (std::uint32_t l = 0; l < group.count; ++l) {
+            if (moved[i] >> l & 1u) continue;
+            bool unsafe = false;
+            for (std::uint32_t t = 0; t < instance.triangleCount && !unsafe; ++t) {
+                unsafe = out.parts->host[out.parts->partOf(instance.placedTriangleBase + t, l)].hazards == kBothEnds;
+            }
+            if (!unsafe) continue;
+            moveAcrossView(instance, out.hostLightsInModel[i * out.totalLights + group.first + l]);
+            moved[i] |= 1u << l;
+            any = true;
+        }
+    }
+    return any;
+}
+
 void clearSummaries(const Silhouettes& out, std::uint32_t lightCount, std::vector<gpu::LightSummary>& summaries) {
     summaries.assign(lightCount, {});
     for (std::uint32_t l = 0; l < lightCount; ++l) {
@@ -79,10 +103,12 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         clearSummaries(out, group.count, out.hostSummaries);
         out.summaries.write(std::span<const gpu::LightSummary>(out.hostSummaries));
         out.casters.write(std::span<const gpu::CasterState>(out.hostCasters));
+        if (out.parts) out.parts->begin();
         technique.sweep(geometry, group, options, out);
 
         const std::uint32_t needed = largestList(out.hostSummaries);
-        bool again = needed > out.capacity, lightsMoved = false;
+        bool again = needed > out.capacity;
+        bool lightsMoved = out.parts && moveLightsOfUnsafeParts(geometry, group, moved, out);
         if (again) out.capacity = needed + needed / 4;
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];

@@ -11,6 +11,7 @@
 #include "gpu/objects.h"
 #include "shadow/fault.h"
 #include "shadow/geometry.h"
+#include "shadow/split_parts.h"
 
 namespace umbrage {
 
@@ -36,6 +37,8 @@ struct Silhouettes {
     std::vector<gpu::LightSummary> hostSummaries;
     std::vector<gpu::CasterState> hostCasters;
     std::uint32_t totalLights = 0, facingStride = 0;
+
+    SplitParts* parts = nullptr;  // where counts are made by parts: not owned
 
     std::uint32_t facingBase(const LightGroup& group) const { return group.first / LIGHTS_PER_GROUP * facingStride; }
     void bind() const;

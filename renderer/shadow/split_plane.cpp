@@ -36,12 +36,18 @@ SplitPlaneKind automaticKind(const PartShape& shape, const Homogeneous& light) {
     return sine * shape.thinness >= kThin ? SplitPlaneKind::PointPointLight : SplitPlaneKind::PointCameraLight;
 }
 
-Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homogeneous& eye, const Homogeneous& light) {
-    if (choice.points) return pointPointLight((*choice.points)[0], (*choice.points)[1], light);
+SplitPoints splitPoints(const PartShape& shape, const SplitChoice& choice, const Homogeneous& light) {
+    if (choice.points) return {{(*choice.points)[0], (*choice.points)[1]}, true};
     if (choice.kind.value_or(automaticKind(shape, light)) == SplitPlaneKind::PointPointLight) {
-        return pointPointLight(shape.axisEnds[0], shape.axisEnds[1], light);
+        return {{shape.axisEnds[0], shape.axisEnds[1]}, true};
     }
-    return pointCameraLight(shape.center(), eye, light);
+    return {{shape.center(), glm::dvec3(0.0)}, false};
+}
+
+Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homogeneous& eye, const Homogeneous& light) {
+    const SplitPoints made = splitPoints(shape, choice, light);
+    return made.both ? pointPointLight(made.points[0], made.points[1], light)
+                     : pointCameraLight(made.points[0], eye, light);
 }
 
 ScreenPlane screenPlane(const Plane& plane, const Eye& eye) {

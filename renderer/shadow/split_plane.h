@@ -36,6 +36,14 @@ struct SplitChoice {
 /// Point-point-light for parts that are thin (at least 4 times as long as wide) as the light sees them, too.
 SplitPlaneKind automaticKind(const PartShape& shape, const Homogeneous& light);
 
+/// What a part's split plane is made of.
+struct SplitPoints {
+    glm::dvec3 points[2]{};
+    bool both = false;  // point-point-light; else point-camera-light with the first
+};
+
+SplitPoints splitPoints(const PartShape& shape, const SplitChoice& choice, const Homogeneous& light);
+
 /// All in one space.
 Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homogeneous& eye, const Homogeneous& light);
 

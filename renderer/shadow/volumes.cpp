@@ -28,6 +28,7 @@ gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) 
             break;
         case Into::Counter:
             if (part.rule == Rule::Fail) state.depth = gpu::Depth::NotNearer;
+            if (part.rule == Rule::Split) state.depth = gpu::Depth::Off;
             state.color = gpu::ColorOp::Add;
             break;
         case Into::Fill:
@@ -52,16 +53,17 @@ std::uint32_t fillKindOf(const VolumePart& part) {
 
 }  // namespace
 
-const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
+const gpu::Program& VolumeRenderer::Programs::of(Into into, Rule rule) const {
+    const bool split = rule == Rule::Split;
     switch (into) {
         case Into::Stencil:
             return stencil;
         case Into::Counter:
-            return counter;
+            return split ? splitCounter : counter;
         case Into::Fill:
-            return fill;
+            return split ? splitFill : fill;
         case Into::Tally:
-            return tally;
+            return split ? splitTally : tally;
         case Into::Casters:
             return casters;
         default:
@@ -75,12 +77,16 @@ VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeO
         if (edgeOn && std::string_view(vertex) == "cap.vert") defines.push_back("PUSHED_BACK 1");
         return gpu::Program(vertex, fragment, std::move(defines));
     };
+    const std::string sampled = "SAMPLES " + std::to_string(samples);
     return {edgeOn ? variant("count.frag", {"STENCIL_ONLY 1"}) : gpu::Program(vertex),
             variant("count.frag", {"SIGNED 1"}),
-            variant("tally.frag", {"SAMPLES " + std::to_string(samples)}),
-            variant("tally.frag", {"TALLY 1", "SAMPLES " + std::to_string(samples)}),
+            variant("tally.frag", {sampled}),
+            variant("tally.frag", {"TALLY 1", sampled}),
             gpu::Program(vertex, "attribution.frag", {"TALLY 1"}),
-            gpu::Program(vertex, "hull.frag")};
+            gpu::Program(vertex, "hull.frag"),
+            variant("split_count.frag", {"PARTS 1", sampled}),
+            variant("tally.frag", {"PARTS 1", sampled}),
+            variant("tally.frag", {"PARTS 1", "TALLY 1", sampled})};
 }
 
 VolumeRenderer::VolumeRenderer(int samples)
@@ -95,10 +101,14 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     const bool cap = part.kind == Kind::Cap, edgeOn = cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
     state.everySample = edgeOn;  // a depth of its own for each sample
     const Programs& programs = cap ? (edgeOn ? edgeOnCaps_ : caps_) : (edgeOn ? edgeOnSides_ : sides_);
-    const gpu::Program& program = programs.of(into);
+    const gpu::Program& program = programs.of(into, part.rule);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
-    if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);
+    if (into == Into::Counter) {
+        program.uniform(COUNT_FRONT_VALUE, float(part.rule == Rule::Fail ? -part.crossings : part.crossings));
+    }
+    const bool counts = into == Into::Counter || into == Into::Fill || into == Into::Tally;
+    if (part.rule == Rule::Split && counts) program.uniform(FIRST_CLUSTER, silhouettes.parts->firstCluster(l));
     if (into == Into::Faces || into == Into::Lines) {
         glProgramUniform4fv(program.name(), HULL_COLOR, 1, &hullColor_[0]);
     }

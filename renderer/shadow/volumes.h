@@ -15,13 +15,15 @@ namespace umbrage {
 struct VolumePart {
     enum class Kind { Sides, Cap };
     enum class Rule {
-        Pass,  // +1 front, -1 back where nearer than what is seen
-        Fail,  // -1 front, +1 back where not nearer
+        Pass,   // +1 front, -1 back where nearer than what is seen
+        Fail,   // -1 front, +1 back where not nearer
+        Split,  // of each part of the casters one of both, pixel by pixel; not into the stencil buffer
     };
     Kind kind = Kind::Sides;
     Rule rule = Rule::Pass;
     std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
     std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
+    int crossings = 1;                     // that a fragment stands for
 };
 
 /// Draws parts of volumes into whatever framebuffer is bound.
@@ -47,7 +49,8 @@ public:
 private:
     struct Programs {
         gpu::Program stencil, counter, fill, tally, casters, hull;
-        const gpu::Program& of(Into into) const;
+        gpu::Program splitCounter, splitFill, splitTally;
+        const gpu::Program& of(Into into, VolumePart::Rule rule) const;
     };
     static Programs programs(const char* vertex, bool edgeOn, int samples);
     void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);

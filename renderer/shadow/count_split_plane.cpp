@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts by parts of the casters (Laine 2005): from the eye at pixels before the part's split plane, from infinity and
+// with caps at those behind it. Both counts of a part are right at every pixel, so any choice between them is.
+//
+// Added up in floats, with the depth test and the split test in the shader, so that every side is drawn once for both
+// rules; in a stencil buffer each part would need its plane drawn and its volume drawn twice, and stencil bits would be
+// taken from the count. It also lets a fragment of a halved side stand for two crossings beside caps that stand for
+// one.
+#include "shadow/counts.h"
+
+namespace umbrage {
+namespace {
+
+using Kind = VolumePart::Kind;
+using Rule = VolumePart::Rule;
+
+class SplitPlaneCount : public CountTechnique {
+public:
+    bool byParts() const override { return true; }
+
+    std::vector<CountPlan> plan(const CountInput& input) const override {
+        // Neither count has a constant there, and view rays cross no sides: z-pass needs nothing but caps (T5).
+        if (input.parallelToView) return CountTechnique::plan(input);
+        const Silhouettes& silhouettes = input.silhouettes;
+        if (silhouettes.hostCasters.empty()) return {};
+        CountPlan plan;
+        plan.byParts = plan.wide = true;
+        plan.layerBound = input.layerBound;
+        for (const std::uint32_t list : {LIST_HALVED, LIST_WHOLE}) {
+            const int crossings = list == LIST_HALVED && input.settings.halve ? 2 : 1;
+            for (const std::uint32_t what : {list, list + LIST_EDGE_ON}) {
+                if (silhouettes.hostSummaries[input.l].lists[what].count == 0) continue;
+                plan.parts.push_back({Kind::Sides, Rule::Split, what, {}, crossings});
+            }
+        }
+        addCaps(input, plan);
+        const auto [first, last] = silhouettes.parts->partsOf(input.l);
+        for (std::uint32_t part = first; part < last && input.settings.eyeConstant; ++part) {
+            const gpu::SplitPart& found = silhouettes.parts->host[part];
+            if (found.eyeInside[SPLIT_PASS] + found.eyeInside[SPLIT_FAIL] > 0) plan.starts.push_back(part);
+        }
+        return {std::move(plan)};
+    }
+
+private:
+    /// Those far away count behind the planes only, of themselves: nothing lies behind them.
+    static void addCaps(const CountInput& input, CountPlan& plan) {
+        const Silhouettes& silhouettes = input.silhouettes;
+        std::vector<std::uint32_t> all, notInDepthBuffer;
+        for (std::uint32_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
+            all.push_back(i);
+            if (input.settings.holed[i] || silhouettes.hostCasters[i].missing != 0) notInDepthBuffer.push_back(i);
+        }
+        if (!notInDepthBuffer.empty()) {
+            for (const std::uint32_t cap : {CAP_TRUE, CAP_EDGE_ON}) {
+                plan.parts.push_back({Kind::Cap, Rule::Split, cap, notInDepthBuffer});
+            }
+        }
+        plan.parts.push_back({Kind::Cap, Rule::Split, CAP_FAR, all});
+        const bool positional = silhouettes.hostLightsInModel[input.group.first + input.l].w != 0.0f;
+        if (input.settings.perspective && positional) plan.parts.push_back({Kind::Cap, Rule::Split, CAP_DARK, all});
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<CountTechnique> makeSplitPlane() {
+    return std::make_unique<SplitPlaneCount>();
+}
+
+}  // namespace umbrage
