@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The depth of what is seen, for passes that test depth themselves. No depth buffer is attached then.
+// The depth of what is seen, where a shader looks at it: no depth buffer is attached then, or it is a copy.
 #ifndef SAMPLES
 #define SAMPLES 1
 #endif

@@ -25,6 +25,7 @@ Masks::Masks(const gpu::Texture& depthStencil, std::uint32_t lightCount) : depth
 }
 
 void Masks::clear() {
+    depthIsCopied_ = false;
     gpu::RasterState state;
     state.color = gpu::ColorOp::Replace;
     gpu::apply(state);
@@ -69,19 +70,15 @@ void Masks::countByBlending(const CountPlan& plan, VolumeRenderer& renderer, con
         wideCounts_ = gpu::Texture("wide counts", GL_R32F, size);
         const gpu::Framebuffer::Attachment color{&wideCounts_};
         wideTarget_ = gpu::Framebuffer("wide counts", std::span(&color, 1), &depthStencil_);
-        testedTarget_ = gpu::Framebuffer("tested counts", std::span(&color, 1), nullptr);
         markWideProgram_ = gpu::Program("fullscreen.vert", "mask.frag", {"COUNTS " + std::to_string(size.samples)});
-        startProgram_ =
-            gpu::Program("fullscreen.vert", "split_start.frag", {"SAMPLES " + std::to_string(size.samples)});
     }
-    (plan.byParts ? testedTarget_ : wideTarget_).bind();
+    wideTarget_.bind();
     gpu::RasterState state;
     state.color = gpu::ColorOp::Replace;
     gpu::apply(state);
     const float zero[4] = {};
     glClearBufferfv(GL_COLOR, 0, zero);
     if (plan.byParts) {
-        depthStencil_.bind(0);
         silhouettes.bind();
         start(plan.starts);
     }
@@ -93,8 +90,25 @@ void Masks::countByBlending(const CountPlan& plan, VolumeRenderer& renderer, con
     mark(markWideProgram_, {}, group, l);
 }
 
+/// Once a frame.
+void Masks::copyDepth() {
+    const gpu::Texture::Size size = depthStencil_.size();
+    if (!seenDepth_.name()) {
+        seenDepth_ = gpu::Texture("depth of what is seen", GL_DEPTH32F_STENCIL8, size);
+        seenDepthTarget_ = gpu::Framebuffer("depth of what is seen", {}, &seenDepth_);
+        startProgram_ =
+            gpu::Program("fullscreen.vert", "split_start.frag", {"SAMPLES " + std::to_string(size.samples)});
+    }
+    if (!std::exchange(depthIsCopied_, true)) {
+        glBlitNamedFramebuffer(stencilOnly_.name(), seenDepthTarget_.name(), 0, 0, size.width, size.height, 0, 0,
+                               size.width, size.height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    }
+    seenDepth_.bind(0);
+}
+
 /// Adds what parts of the casters start from.
 void Masks::start(std::span<const std::uint32_t> parts) {
+    copyDepth();
     gpu::RasterState state;
     state.color = gpu::ColorOp::Add;
     gpu::apply(state);

@@ -35,6 +35,7 @@ private:
                         const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
     void countByBlending(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
                          const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+    void copyDepth();
     void start(std::span<const std::uint32_t> parts);
     const gpu::Framebuffer& singleSampled(bool wide) const;
     void mark(const gpu::Program& program, const gpu::Stencil& stencil, const LightGroup& group, std::uint32_t l);
@@ -47,9 +48,13 @@ private:
     gpu::Framebuffer oneSampleTarget_, oneWideSampleTarget_;
     gpu::Program firstSampleProgram_{"fullscreen.vert", "first_sample.frag"};
     gpu::Program markProgram_{"fullscreen.vert", "mask.frag"};
-    gpu::Texture wideCounts_;                     // R32F; these on first use
-    gpu::Framebuffer wideTarget_, testedTarget_;  // the second without a depth buffer: shaders test depth
-    gpu::Program markWideProgram_, startProgram_;
+    gpu::Texture wideCounts_;  // R32F; these on first use
+    gpu::Framebuffer wideTarget_;
+    gpu::Program markWideProgram_;
+    gpu::Texture seenDepth_;  // what shaders read while the depth buffer is attached; the same
+    gpu::Framebuffer seenDepthTarget_;
+    bool depthIsCopied_ = false;
+    gpu::Program startProgram_;
     gpu::Program givenProgram_;
     gpu::Buffer given_;
     gpu::VertexArray noVertices_{"full screen"};

@@ -10,7 +10,7 @@ namespace {
 using Rule = VolumePart::Rule;
 using Kind = VolumePart::Kind;
 
-gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) {
+gpu::RasterState rasterState(Rule rule, VolumeRenderer::Into into) {
     using Into = VolumeRenderer::Into;
     gpu::RasterState state;
     state.depthClamp = true;  // every view ray starts at the eye itself (G5)
@@ -18,7 +18,7 @@ gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) 
     switch (into) {
         case Into::Stencil:
             state.stencil.enabled = true;
-            if (part.rule == Rule::Fail) {
+            if (rule == Rule::Fail) {
                 state.stencil.frontDepthFail = GL_DECR_WRAP;
                 state.stencil.backDepthFail = GL_INCR_WRAP;
             } else {
@@ -27,8 +27,7 @@ gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) 
             }
             break;
         case Into::Counter:
-            if (part.rule == Rule::Fail) state.depth = gpu::Depth::NotNearer;
-            if (part.rule == Rule::Split) state.depth = gpu::Depth::Off;
+            if (rule == Rule::Fail) state.depth = gpu::Depth::NotNearer;
             state.color = gpu::ColorOp::Add;
             break;
         case Into::Fill:
@@ -84,7 +83,7 @@ VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeO
             variant("tally.frag", {"TALLY 1", sampled}),
             gpu::Program(vertex, "attribution.frag", {"TALLY 1"}),
             gpu::Program(vertex, "hull.frag"),
-            variant("split_count.frag", {"PARTS 1", sampled}),
+            variant("count.frag", {"SIGNED 1", "PARTS 1", sampled}),
             variant("tally.frag", {"PARTS 1", sampled}),
             variant("tally.frag", {"PARTS 1", "TALLY 1", sampled})};
 }
@@ -97,7 +96,20 @@ VolumeRenderer::VolumeRenderer(int samples)
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
-    gpu::RasterState state = rasterState(part, into);
+    if (part.rule == Rule::Split && into == Into::Counter) {
+        // Once by each rule, so that the same depth test decides as for all other counts; what is infinitely far never
+        // passes it.
+        const bool farAway = part.kind == Kind::Cap && (part.what == CAP_FAR || part.what == CAP_DARK);
+        if (!farAway) drawBy(Rule::Pass, part, into, geometry, silhouettes, group, l);
+        drawBy(Rule::Fail, part, into, geometry, silhouettes, group, l);
+    } else {
+        drawBy(part.rule, part, into, geometry, silhouettes, group, l);
+    }
+}
+
+void VolumeRenderer::drawBy(Rule rule, const VolumePart& part, Into into, const Geometry& geometry,
+                            const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    gpu::RasterState state = rasterState(rule, into);
     const bool cap = part.kind == Kind::Cap, edgeOn = cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
     state.everySample = edgeOn;  // a depth of its own for each sample
     const Programs& programs = cap ? (edgeOn ? edgeOnCaps_ : caps_) : (edgeOn ? edgeOnSides_ : sides_);
@@ -105,7 +117,7 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
     if (into == Into::Counter) {
-        program.uniform(COUNT_FRONT_VALUE, float(part.rule == Rule::Fail ? -part.crossings : part.crossings));
+        program.uniform(COUNT_FRONT_VALUE, float(rule == Rule::Fail ? -part.crossings : part.crossings));
     }
     const bool counts = into == Into::Counter || into == Into::Fill || into == Into::Tally;
     if (part.rule == Rule::Split && counts) program.uniform(FIRST_CLUSTER, silhouettes.parts->firstCluster(l));

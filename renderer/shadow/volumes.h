@@ -17,7 +17,7 @@ struct VolumePart {
     enum class Rule {
         Pass,   // +1 front, -1 back where nearer than what is seen
         Fail,   // -1 front, +1 back where not nearer
-        Split,  // of each part of the casters one of both, pixel by pixel; not into the stencil buffer
+        Split,  // of each part of the casters one of both, pixel by pixel: into counters, not into the stencil buffer
     };
     Kind kind = Kind::Sides;
     Rule rule = Rule::Pass;
@@ -53,6 +53,8 @@ private:
         const gpu::Program& of(Into into, VolumePart::Rule rule) const;
     };
     static Programs programs(const char* vertex, bool edgeOn, int samples);
+    void drawBy(VolumePart::Rule rule, const VolumePart& part, Into into, const Geometry& geometry,
+                const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
     void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
