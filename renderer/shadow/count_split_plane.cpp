@@ -2,10 +2,10 @@
 // Counts by parts of the casters (Laine 2005): from the eye at pixels before the part's split plane, from infinity and
 // with caps at those behind it. Both counts of a part are right at every pixel, so any choice between them is.
 //
-// Added up in floats, with the depth test and the split test in the shader, so that every side is drawn once for both
-// rules; in a stencil buffer each part would need its plane drawn and its volume drawn twice, and stencil bits would be
-// taken from the count. It also lets a fragment of a halved side stand for two crossings beside caps that stand for
-// one.
+// Added up in floats: sides and caps are drawn once by each rule under the fixed depth test, and the shader drops the
+// pixels that the other rule has. Stencil bits would need every part's plane drawn first and its volume apart from all
+// others, and would be taken from the count; depth bounds know no slanted plane. Floats also let a fragment of a halved
+// side stand for two crossings beside caps that stand for one.
 #include "shadow/counts.h"
 
 namespace umbrage {

@@ -124,6 +124,17 @@ bool endsInQuad(const glm::vec4& end, const glm::vec4& light, const glm::vec3& a
            inWedge(end, light, a, b);
 }
 
+/// See facing.comp.glsl.
+bool isOver(const glm::vec4& end, const glm::vec4& light, float lightSide, const std::array<glm::vec3, 3>& v,
+            const glm::vec3& n, bool& undecided) {
+    const bool orthographic = end.w == 0.0f;
+    if (orthographic && light.w == 0.0f) return false;
+    const float endSide = sideOf(n, v[0], end);
+    if (endSide == 0.0f || (endSide > 0.0f) == (lightSide > 0.0f)) return false;
+    const glm::dvec3 e(end), p(light);
+    return orthographic ? crosses(p, e, v, undecided) : crosses(e, p - double(light.w) * e, v, undecided);
+}
+
 class CpuSilhouettes : public SilhouetteTechnique {
 public:
     std::string_view name() const override { return "cpu"; }
@@ -134,6 +145,7 @@ public:
         facing_.assign(geometry.placedTriangleCount(), gpu::uvec2(0));
         planes_.assign(geometry.placedTriangleCount(), gpu::vec4(0.0f));
         entries_.assign(std::size_t(group.count) * LIST_COUNT, {});
+        if (out.parts) out.parts->read();  // their planes are made on the device
         for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
             faceTriangles(geometry, i, group, out);
             findEdges(geometry, i, group, options.halve, out);
@@ -159,6 +171,13 @@ private:
     void countEye(const gpu::InstanceData& instance, const glm::vec4& light, float lightSide,
                   const std::array<glm::vec3, 3>& v, const glm::vec3& n, std::uint32_t list, std::uint32_t l,
                   gpu::LightSummary& summary, gpu::CasterState& caster) const;
+    void countEnds(const glm::vec4& eye, const glm::vec4& light, float lightSide, const std::array<glm::vec3, 3>& v,
+                   const glm::vec3& n, gpu::LightSummary& summary, gpu::SplitPart& part) const;
+    void appendAll(const Geometry& geometry, std::uint32_t i, std::uint32_t k, const LightGroup& group, bool halve,
+                   const gpu::uvec2& left, const gpu::uvec2& right, std::uint32_t flags, Silhouettes& out);
+    bool findHazards(const gpu::InstanceData& instance, std::uint32_t i, std::uint32_t l, std::uint32_t list,
+                     const gpu::Edge& edge, std::uint32_t flags, const glm::vec4& light, const glm::vec3& a,
+                     const glm::vec3& b, Silhouettes& out) const;
     void findEdges(const Geometry& geometry, std::uint32_t i, const LightGroup& group, bool halve, Silhouettes& out);
     void upload(const LightGroup& group, Silhouettes& out);
 
@@ -217,13 +236,20 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
                 if (!(flags & TRIANGLE_CASTS) || !(front || back)) continue;
                 summary.litTriangles += front;
                 const gpu::CasterState& state = out.hostCasters[i];
-                const bool fail = state.countedByFail >> l & 1u;
+                const bool fail = out.parts || (state.countedByFail >> l & 1u);  // by parts: somewhere
                 summary.lightCaps += fail || (flags & TRIANGLE_HOLED) || state.missing;
                 summary.darkCaps += fail && light.w != 0.0f && instance.eyeInModel.w != 0.0f;
                 const std::uint32_t list = listOf(instance, out.hostCasters[i], l, flags & TRIANGLE_EVEN);
+                const glm::vec3 n(nx[k], ny[k], nz[k]);
+                if (out.parts) {
+                    gpu::SplitPart& part =
+                        out.parts->host[out.parts->partOf(instance.placedTriangleBase + first + k, l)];
+                    if (underEye[k]) part.hazards |= 1u << SPLIT_PASS;
+                    countEnds(instance.eyeInModel, light, side[k], corners[k], n, summary, part);
+                    continue;
+                }
                 if (underEye[k] && list != LIST_FAIL) out.hostCasters[i].hazards |= 1u << l;
-                countEye(instance, light, side[k], corners[k], {nx[k], ny[k], nz[k]}, list, l, summary,
-                         out.hostCasters[i]);
+                countEye(instance, light, side[k], corners[k], n, list, l, summary, out.hostCasters[i]);
             }
         }
     }
@@ -233,16 +259,25 @@ void CpuSilhouettes::countEye(const gpu::InstanceData& instance, const glm::vec4
                               const std::array<glm::vec3, 3>& v, const glm::vec3& n, std::uint32_t list,
                               std::uint32_t l, gpu::LightSummary& summary, gpu::CasterState& caster) const {
     glm::vec4 eye = instance.eyeInModel;
-    const bool orthographic = eye.w == 0.0f;
-    if (orthographic ? light.w == 0.0f : list == LIST_FAIL) return;
-    if (orthographic && list == LIST_FAIL) eye = -eye;
-    const float eyeSide = sideOf(n, v[0], eye);
-    if (eyeSide == 0.0f || (eyeSide > 0.0f) == (lightSide > 0.0f)) return;
-    const glm::dvec3 e(eye), p(light);
+    if (list == LIST_FAIL) {
+        if (eye.w != 0.0f) return;
+        eye = -eye;
+    }
     bool undecided = false;
-    const bool between = orthographic ? crosses(p, e, v, undecided) : crosses(e, p - double(light.w) * e, v, undecided);
-    summary.eyeInside[list] += between;
+    summary.eyeInside[list] += isOver(eye, light, lightSide, v, n, undecided);
     if (undecided) caster.hazards |= 1u << l;
+}
+
+void CpuSilhouettes::countEnds(const glm::vec4& eye, const glm::vec4& light, float lightSide,
+                               const std::array<glm::vec3, 3>& v, const glm::vec3& n, gpu::LightSummary& summary,
+                               gpu::SplitPart& part) const {
+    for (std::uint32_t end = SPLIT_PASS; end <= (eye.w == 0.0f ? SPLIT_FAIL : SPLIT_PASS); ++end) {
+        bool undecided = false;
+        const bool over = isOver(end == SPLIT_PASS ? eye : -eye, light, lightSide, v, n, undecided);
+        part.eyeInside[end] += over;
+        if (end == SPLIT_PASS) summary.eyeInside[LIST_WHOLE] += over;
+        if (undecided) part.hazards |= 1u << end;
+    }
 }
 
 void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const LightGroup& group, bool halve,
@@ -257,30 +292,68 @@ void CpuSilhouettes::findEdges(const Geometry& geometry, std::uint32_t i, const 
         const gpu::Edge& edge = geometry.edges()[instance.edgeBase + k];
         const gpu::uvec2 left = traversals(edge.left);
         const gpu::uvec2 right = edge.right == EDGE_NONE ? gpu::uvec2(0) : traversals(edge.right);
-        const gpu::uvec2 twice = left & right, both = left | right;
-        const gpu::uvec2 once = (left ^ right) & ~gpu::uvec2(both.y, both.x);
-        const std::uint32_t silhouette = twice.x | twice.y | once.x | once.y;
-        for (std::uint32_t l = 0; l < group.count; ++l) {
-            if (!(silhouette >> l & 1u)) continue;
-            const std::uint32_t list = listOf(instance, out.hostCasters[i], l, edge.left & EDGE_EVEN);
-            const bool negative = (twice.y | once.y) >> l & 1u;
-            const bool isTwice = (twice.x | twice.y) >> l & 1u;
-            const int times = isTwice && !(halve && list == LIST_HALVED) ? 2 : 1;
-            const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative);
-            const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
-            const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);
-            const bool orthographic = eye.w == 0.0f, fail = list == LIST_FAIL;
-            if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) continue;
-            std::vector<std::uint32_t>& entries =
-                entries_[l * LIST_COUNT + list + (isSliver(eye, light, a, b) ? LIST_EDGE_ON : 0)];
-            entries.insert(entries.end(), std::size_t(times), entry);
-            ++out.hostSummaries[l].silhouetteEdges;
-            out.hostSummaries[l].doubleEdges += isTwice;
-            if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
-                out.hostCasters[i].hazards |= 1u << l;
-            }
+        std::uint32_t apart = 0;  // lights for which it is an edge of two parts, with one triangle in each
+        for (std::uint32_t l = 0; out.parts && edge.right != EDGE_NONE && l < group.count; ++l) {
+            const auto partOf = [&](std::uint32_t triangle) {
+                return out.parts->partOf(instance.placedTriangleBase + (triangle & EDGE_TRIANGLE), l);
+            };
+            apart |= std::uint32_t(partOf(edge.left) != partOf(edge.right)) << l;
         }
+        appendAll(geometry, i, k, group, halve, left & gpu::uvec2(~apart), right & gpu::uvec2(~apart), 0, out);
+        if (apart == 0) continue;
+        appendAll(geometry, i, k, group, halve, left & gpu::uvec2(apart), gpu::uvec2(0), 0, out);
+        appendAll(geometry, i, k, group, halve, right & gpu::uvec2(apart), gpu::uvec2(0), QUAD_OF_RIGHT, out);
     }
+}
+
+void CpuSilhouettes::appendAll(const Geometry& geometry, std::uint32_t i, std::uint32_t k, const LightGroup& group,
+                               bool halve, const gpu::uvec2& left, const gpu::uvec2& right, std::uint32_t flags,
+                               Silhouettes& out) {
+    const gpu::InstanceData& instance = geometry.instances()[i];
+    const gpu::Edge& edge = geometry.edges()[instance.edgeBase + k];
+    const gpu::uvec2 twice = left & right, both = left | right;
+    const gpu::uvec2 once = (left ^ right) & ~gpu::uvec2(both.y, both.x);
+    const std::uint32_t silhouette = twice.x | twice.y | once.x | once.y;
+    for (std::uint32_t l = 0; silhouette != 0 && l < group.count; ++l) {
+        if (!(silhouette >> l & 1u)) continue;
+        const bool negative = (twice.y | once.y) >> l & 1u;
+        const bool isTwice = (twice.x | twice.y) >> l & 1u;
+        std::uint32_t list = listOf(instance, out.hostCasters[i], l, edge.left & EDGE_EVEN);
+        if (list == LIST_HALVED && !isTwice) list = LIST_WHOLE;  // of an even component only another part has the rest
+        const int times = isTwice && !(halve && list == LIST_HALVED) ? 2 : 1;
+        const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative) | flags;
+        const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
+        const glm::vec3 a = position(instance.vertexBase + edge.a), b = position(instance.vertexBase + edge.b);
+        if (!findHazards(instance, i, l, list, edge, flags, light, a, b, out)) continue;
+        std::vector<std::uint32_t>& entries =
+            entries_[l * LIST_COUNT + list + (isSliver(eye, light, a, b) ? LIST_EDGE_ON : 0)];
+        entries.insert(entries.end(), std::size_t(times), entry);
+        ++out.hostSummaries[l].silhouetteEdges;
+        out.hostSummaries[l].doubleEdges += isTwice;
+    }
+}
+
+bool CpuSilhouettes::findHazards(const gpu::InstanceData& instance, std::uint32_t i, std::uint32_t l,
+                                 std::uint32_t list, const gpu::Edge& edge, std::uint32_t flags, const glm::vec4& light,
+                                 const glm::vec3& a, const glm::vec3& b, Silhouettes& out) const {
+    const glm::vec4 eye = instance.eyeInModel;
+    const bool orthographic = eye.w == 0.0f, fail = list == LIST_FAIL;
+    if (!out.parts) {
+        if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) return false;
+        if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
+            out.hostCasters[i].hazards |= 1u << l;
+        }
+        return true;
+    }
+    const std::uint32_t triangle = (flags & QUAD_OF_RIGHT ? edge.right : edge.left) & EDGE_TRIANGLE;
+    gpu::SplitPart& part = out.parts->host[out.parts->partOf(instance.placedTriangleBase + triangle, l)];
+    bool drawn = true;
+    for (std::uint32_t end = SPLIT_PASS; end <= (orthographic ? SPLIT_FAIL : SPLIT_PASS); ++end) {
+        const glm::vec4 there = end == SPLIT_PASS ? eye : -eye;
+        if (hazardous(there, light, a, b)) part.hazards |= 1u << end;
+        if (endsInQuad(there, light, a, b)) drawn = false;
+    }
+    return drawn;
 }
 
 void CpuSilhouettes::upload(const LightGroup& group, Silhouettes& out) {
@@ -293,6 +366,7 @@ void CpuSilhouettes::upload(const LightGroup& group, Silhouettes& out) {
     }
     out.summaries.write(std::span<const gpu::LightSummary>(out.hostSummaries));
     out.casters.write(std::span<const gpu::CasterState>(out.hostCasters));
+    if (out.parts) out.parts->upload();
     out.facing.write(out.facingBase(group) * sizeof(gpu::uvec2), facing_.size() * sizeof(gpu::uvec2), facing_.data());
     out.planes.write(std::span<const gpu::vec4>(planes_));
 }
