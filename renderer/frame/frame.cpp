@@ -19,6 +19,7 @@
 #include "shadow/bounds.h"
 #include "shadow/caster_parts.h"
 #include "shadow/counts.h"
+#include "shadow/depth_samples.h"
 #include "shadow/geometry.h"
 #include "shadow/layers.h"
 #include "shadow/masks.h"
@@ -71,7 +72,8 @@ struct FrameRenderer::Impl {
     std::unique_ptr<SilhouetteTechnique> technique;
     std::unique_ptr<CountTechnique> count;
     Silhouettes silhouettes;
-    std::unique_ptr<CasterParts> casterParts;  // where counts are made by parts
+    std::unique_ptr<CasterParts> casterParts;  // these two where counts are made by parts
+    std::unique_ptr<DepthSampler> depthSampler;
     LayerBound layerBound{geometry};
     VolumeRenderer volumes{settings.samples};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
@@ -96,6 +98,7 @@ struct FrameRenderer::Impl {
         if (!count->byParts()) return;
         casterParts = std::make_unique<CasterParts>(s, first, geometry, wanted.parts);
         silhouettes.parts = &casterParts->onDevice();
+        depthSampler = std::make_unique<DepthSampler>(gbuffer.depthStencil);
     }
 
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
@@ -178,7 +181,9 @@ void FrameRenderer::Impl::chooseParts(const Moment& moment, const std::vector<co
                                       const LightGroup& group) {
     std::vector<Homogeneous> homogeneous;
     for (std::uint32_t l = 0; l < group.count; ++l) homogeneous.push_back(shadowLight(*lights[group.first + l]));
-    casterParts->choose(moment, geometry, homogeneous, group.first, eye);
+    const std::vector<DepthSample> seen =
+        casterParts->wantsSamples() ? depthSampler->read() : std::vector<DepthSample>();
+    casterParts->choose(moment, geometry, homogeneous, group.first, eye, seen);
 }
 
 void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights,

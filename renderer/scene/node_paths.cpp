@@ -59,6 +59,11 @@ std::vector<Index> nodesWith(const Scene& scene, Index Node::*what) {
     return found;
 }
 
+void refuseGlob(const Located<std::string>& glob, const std::string& noun, const std::vector<std::string>& paths) {
+    throw Error(ErrorKind::Input, glob.place.text(), fmt::format("\"{}\" matches no node with a {}", glob.value, noun),
+                paths.empty() ? fmt::format("the scene has no {}", noun) : hintForName(glob.value, paths));
+}
+
 std::vector<Index> matchingNodes(const Scene& scene, const Located<std::string>& glob, Index Node::*what,
                                  const std::string& noun) {
     std::vector<Index> matching;
@@ -68,10 +73,7 @@ std::vector<Index> matchingNodes(const Scene& scene, const Located<std::string>&
         if (matchesGlob(glob.value, path)) matching.push_back(index);
         paths.push_back(path);
     }
-    if (matching.empty())
-        throw Error(ErrorKind::Input, glob.place.text(),
-                    fmt::format("\"{}\" matches no node with a {}", glob.value, noun),
-                    paths.empty() ? fmt::format("the scene has no {}", noun) : hintForName(glob.value, paths));
+    if (matching.empty()) refuseGlob(glob, noun, paths);
     return matching;
 }
 

@@ -26,6 +26,10 @@ Index addNode(Scene& scene, Index parent, const std::string& name, const std::st
 /// Nodes that have something: &Node::light, &Node::mesh, &Node::camera.
 std::vector<Index> nodesWith(const Scene& scene, Index Node::*what);
 
+/// Throws Error(Input) at the place of a glob that matches no node with a `noun`. @param paths  of those there are
+[[noreturn]] void refuseGlob(const Located<std::string>& glob, const std::string& noun,
+                             const std::vector<std::string>& paths);
+
 /// Those of them that the glob matches. @throws Error(Input) at the glob's place if there is none
 /// @param noun  what they have, for the message: "light"
 std::vector<Index> matchingNodes(const Scene& scene, const Located<std::string>& glob, Index Node::*what,

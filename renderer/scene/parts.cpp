@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/parts.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <limits>
 #include <map>
 
-#include "error.h"
-#include "job/nearest.h"
 #include "scene/node_paths.h"
 
 namespace umbrage {
@@ -82,9 +78,7 @@ InstanceParts groupInstances(const Scene& scene, std::span<const Instance> insta
         for (std::size_t n = 0; n < scene.nodes.size(); ++n) {
             if (aboveMeshes[n]) paths.push_back(scene.nodes[n].path);
         }
-        throw Error(ErrorKind::Input, glob.place.text(),
-                    fmt::format("\"{}\" matches no node with a mesh at or below it", glob.value),
-                    paths.empty() ? "the scene has no mesh" : hintForName(glob.value, paths));
+        refuseGlob(glob, "mesh at or below it", paths);
     }
     InstanceParts parts;
     std::map<Index, std::uint32_t> partOfNode;

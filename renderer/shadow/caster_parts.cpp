@@ -1,115 +1,181 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shadow/caster_parts.h"
 
-#include <algorithm>
-#include <set>
+#include <cmath>
+#include <functional>
 
-#include "error.h"
 #include "scene/node_paths.h"
 
 namespace umbrage {
 namespace {
-
-/// Those points that lie farthest in 26 directions: what boxes, axes and outlines need.
-std::vector<glm::dvec3> extremesOf(std::span<const glm::vec3> points) {
-    std::set<std::size_t> kept;
-    for (int x = -1; x <= 1 && !points.empty(); ++x) {
-        for (int y = -1; y <= 1; ++y) {
-            for (int z = -1; z <= 1; ++z) {
-                const glm::vec3 direction(x, y, z);
-                std::size_t farthest = 0;
-                for (std::size_t i = 1; i < points.size(); ++i) {
-                    if (glm::dot(points[i], direction) > glm::dot(points[farthest], direction)) farthest = i;
-                }
-                if (x != 0 || y != 0 || z != 0) kept.insert(farthest);
-            }
-        }
-    }
-    std::vector<glm::dvec3> extremes;
-    for (const std::size_t i : kept) extremes.emplace_back(points[i]);
-    return extremes;
-}
 
 std::optional<SplitPlaneKind> kindNamed(const std::string& name) {
     if (name == "auto") return {};
     return name == "point-point-light" ? SplitPlaneKind::PointPointLight : SplitPlaneKind::PointCameraLight;
 }
 
-}  // namespace
-
-CasterParts::CasterParts(const Scene& scene, const Moment& first, const Geometry& geometry, const JobParts& wanted)
-    : groups_(groupInstances(scene, first.instances, wanted.globs)) {
-    given_.resize(groups_.count());
-    for (std::uint32_t g = 0; g < groups_.count(); ++g) {
-        given_[g].choice.kind = kindNamed(wanted.splitPlane);
-        for (const JobSplitPlane& own : wanted.ownSplitPlanes) {
-            if (!matchesGlob(own.glob.value, scene.nodes[std::size_t(groups_.nodes[g])].path)) continue;
-            given_[g].choice.kind = kindNamed(own.plane);
-            if (!own.points) continue;
-            given_[g].pointsNode = groups_.nodes[g];
-            given_[g].choice.points.emplace();
-            for (std::size_t k = 0; k < 2; ++k) {
-                const std::array<double, 3>& p = (*own.points)[k];
-                (*given_[g].choice.points)[k] = {p[0], p[1], p[2]};
-            }
-        }
-    }
-    clustersOf_.resize(groups_.count());
-    std::vector<std::uint32_t> ofPlaced(geometry.placedTriangleCount());
-    for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
-        const gpu::InstanceData& instance = geometry.instances()[i];
-        const auto cluster = std::uint32_t(clusters_.size());
-        clustersOf_[groups_.ofInstance[i]].push_back(cluster);
-        clusters_.push_back({i, {}});
-        if (!geometry.hasOwnVertices(i)) {
-            clusters_.back().extremes = extremesOf(scene.meshes[geometry.meshOf(i)].positions);
-        }
-        for (std::uint32_t t = 0; t < instance.triangleCount; ++t) {
-            ofPlaced[instance.placedTriangleBase + t] = cluster;
-        }
-    }
-    onDevice_.setClusters(std::move(ofPlaced), std::uint32_t(clusters_.size()));
+std::vector<glm::dvec3> transformed(std::span<const glm::dvec3> points, const glm::dmat4& m) {
+    std::vector<glm::dvec3> result;
+    for (const glm::dvec3& p : points) result.emplace_back(m * glm::dvec4(p, 1.0));
+    return result;
 }
 
-std::vector<glm::dvec3> CasterParts::pointsOf(std::span<const std::uint32_t> clusters, const Moment& moment,
+}  // namespace
+
+/// From where a light's volumes are seen.
+struct CasterParts::View {
+    const Homogeneous& light;
+    const Eye& eye;
+    std::span<const DepthSample> samples;
+};
+
+CasterParts::CasterParts(const Scene& scene, const Moment& first, const Geometry& geometry, const JobParts& wanted)
+    : automatic_(wanted.automatic), parts_(groupInstances(scene, first.instances, wanted.globs)) {
+    readGroups(scene, first, wanted);
+    makeClusters(scene, geometry);
+}
+
+void CasterParts::readGroups(const Scene& scene, const Moment& first, const JobParts& wanted) {
+    groups_.resize(parts_.count());
+    for (std::uint32_t i = 0; i < first.instances.size(); ++i) groups_[parts_.ofInstance[i]].instances.push_back(i);
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) groups_[g].choice.kind = kindNamed(wanted.splitPlane);
+    for (const JobSplitPlane& own : wanted.ownSplitPlanes) {
+        bool any = false;
+        std::vector<std::string> paths;
+        for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+            paths.push_back(scene.nodes[std::size_t(parts_.nodes[g])].path);
+            if (!matchesGlob(own.glob.value, paths.back())) continue;
+            any = true;
+            groups_[g].choice = {kindNamed(own.plane), {}};
+            if (!own.points) continue;
+            groups_[g].pointsNode = parts_.nodes[g];
+            const auto& [p, q] = *own.points;
+            groups_[g].choice.points = {glm::dvec3(p[0], p[1], p[2]), glm::dvec3(q[0], q[1], q[2])};
+        }
+        if (!any) refuseGlob(own.glob, "part of the casters to itself", paths);
+    }
+}
+
+void CasterParts::makeClusters(const Scene& scene, const Geometry& geometry) {
+    trees_.resize(scene.meshes.size());
+    extremesOfMeshes_.resize(scene.meshes.size());
+    std::vector<std::uint32_t> ofPlaced(geometry.placedTriangleCount());
+    std::uint32_t clusters = 0;
+    for (Group& group : groups_) {
+        group.firstCluster = clusters;
+        for (const std::uint32_t i : group.instances) {
+            const gpu::InstanceData& instance = geometry.instances()[i];
+            const std::uint32_t mesh = geometry.meshOf(i);
+            const bool rigid = !geometry.hasOwnVertices(i);
+            if (rigid && extremesOfMeshes_[mesh].empty()) {
+                extremesOfMeshes_[mesh] = extremesOf(scene.meshes[mesh].positions);
+            }
+            if (rigid && automatic_ && !group.choice.points) {
+                if (trees_[mesh].nodes.empty()) {
+                    trees_[mesh] = buildClusters(scene.meshes[mesh], geometry.topologies()[mesh]);
+                }
+                group.tree = &trees_[mesh];
+            }
+            for (std::uint32_t t = 0; t < instance.triangleCount; ++t) {
+                ofPlaced[instance.placedTriangleBase + t] =
+                    group.firstCluster + (group.tree ? group.tree->leafOfTriangle[t] : 0);
+            }
+        }
+        clusters += group.tree ? group.tree->nodes[0].leafCount : 1;
+    }
+    onDevice_.setClusters(std::move(ofPlaced), clusters);
+}
+
+std::vector<glm::dvec3> CasterParts::pointsOf(const Group& group, const Moment& moment,
                                               const Geometry& geometry) const {
     std::vector<glm::dvec3> points;
-    for (const std::uint32_t c : clusters) {
-        const std::uint32_t i = clusters_[c].instance;
-        for (const glm::dvec3& p : clusters_[c].extremes) {
-            points.emplace_back(moment.instances[i].worldFromModel * glm::dvec4(p, 1.0));
-        }
-        if (!clusters_[c].extremes.empty()) continue;
-        for (int corner = 0; corner < 8; ++corner) {
-            glm::dvec4 p(bounds_[i].low, 1.0);
-            for (int k = 0; k < 3; ++k) {
-                if (corner >> k & 1) p[k] = bounds_[i].high[k];
+    for (const std::uint32_t i : group.instances) {
+        std::vector<glm::dvec3> own;
+        if (!geometry.hasOwnVertices(i)) {
+            own = transformed(extremesOfMeshes_[geometry.meshOf(i)], moment.instances[i].worldFromModel);
+        } else {
+            std::vector<glm::dvec3> corners;
+            for (int corner = 0; corner < 8; ++corner) {
+                const auto& [low, high] = bounds_[i];
+                corners.emplace_back(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
+                                     corner & 4 ? high.z : low.z);
             }
-            points.emplace_back(geometry.worldFromModel(i) * p);
+            own = transformed(corners, geometry.worldFromModel(i));
         }
+        points.insert(points.end(), own.begin(), own.end());
     }
     return points;
 }
 
 void CasterParts::choose(const Moment& moment, const Geometry& geometry, std::span<const Homogeneous> lights,
-                         std::uint32_t firstLight, const Eye& eye) {
+                         std::uint32_t firstLight, const Eye& eye, std::span<const DepthSample> samples) {
     bounds_ = geometry.modelBounds();
-    std::vector<LightParts> chosen(lights.size());
-    for (LightParts& light : chosen) light.ofCluster.resize(clusters_.size());
-    for (std::uint32_t g = 0; g < groups_.count(); ++g) {
-        SplitChoice choice = given_[g].choice;
+    chosen_.assign(lights.size(), {});
+    for (LightParts& light : chosen_) light.ofCluster.resize(onDevice_.clusterCount());
+    for (const Group& group : groups_) {
+        SplitChoice choice = group.choice;
         if (choice.points) {
-            for (glm::dvec3& p : *choice.points) {
-                p = glm::dvec3(moment.worldFromNode[std::size_t(given_[g].pointsNode)] * glm::dvec4(p, 1.0));
-            }
+            const glm::dmat4& worldFromNode = moment.worldFromNode[std::size_t(group.pointsNode)];
+            for (glm::dvec3& p : *choice.points) p = glm::dvec3(worldFromNode * glm::dvec4(p, 1.0));
         }
-        const PartShape shape = shapeOf(pointsOf(clustersOf_[g], moment, geometry));
+        const std::vector<glm::dvec3> points = pointsOf(group, moment, geometry);
         for (std::size_t l = 0; l < lights.size(); ++l) {
-            for (const std::uint32_t c : clustersOf_[g]) chosen[l].ofCluster[c] = std::uint32_t(chosen[l].parts.size());
-            chosen[l].parts.push_back(splitPoints(shape, choice, lights[l]));
+            addParts(group, choice, points, {lights[l], eye, samples},
+                     moment.instances[group.instances[0]].worldFromModel, chosen_[l]);
         }
     }
-    onDevice_.set(chosen, firstLight, eye);
+    onDevice_.set(chosen_, firstLight, eye);
+}
+
+/// The plane of a part that changes fewest counts.
+CasterParts::Candidate CasterParts::best(const SplitChoice& choice, PartOutline outline, const View& view) const {
+    const PartShape shape = shapeOf(outline.extremes);
+    Candidate best;
+    const bool free = !choice.kind && !choice.points && !view.samples.empty();
+    for (const SplitPlaneKind kind : {SplitPlaneKind::PointCameraLight, SplitPlaneKind::PointPointLight}) {
+        SplitChoice tried = choice;
+        if (free) tried.kind = kind;
+        const Plane plane = splitPlane(shape, tried, view.eye.point(), view.light);
+        const double updates =
+            expectedUpdates(outline, screenPlane(plane, view.eye), view.light, view.eye, view.samples);
+        const bool isFirst = kind == SplitPlaneKind::PointCameraLight;
+        if (isFirst || updates < best.updates) best = {splitPoints(shape, tried, view.light), updates};
+        if (!free) break;
+    }
+    return best;
+}
+
+/// @param points  of the whole group
+void CasterParts::addParts(const Group& group, const SplitChoice& choice, std::span<const glm::dvec3> points,
+                           const View& view, const glm::dmat4& worldFromModel, LightParts& parts) const {
+    if (!group.tree || group.tree->nodes.size() == 1) {
+        const PartOutline outline{{points.begin(), points.end()}, 0.0};
+        parts.ofCluster[group.firstCluster] = std::uint32_t(parts.parts.size());
+        parts.parts.push_back(best(choice, outline, view).plane);
+        return;
+    }
+    constexpr double kWorthIt = 0.95;  // a division that is guessed to save less is not made
+    const std::vector<ClusterTree::Node>& nodes = group.tree->nodes;
+    const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(worldFromModel))));
+    std::vector<Candidate> candidates(nodes.size());
+    for (std::size_t n = nodes.size(); n-- > 0;) {  // children first
+        const double sides = scale * (nodes[n].outlineMetres + nodes[n].borderMetres);
+        candidates[n] = best(choice, {transformed(nodes[n].extremes, worldFromModel), sides}, view);
+        if (nodes[n].isLeaf()) continue;
+        const double apart = candidates[nodes[n].children[0]].updates + candidates[nodes[n].children[1]].updates;
+        if (apart < kWorthIt * candidates[n].updates) candidates[n] = {candidates[n].plane, apart, true};
+    }
+    const std::function<void(std::uint32_t)> add = [&](std::uint32_t n) {
+        if (candidates[n].divided) {
+            for (const std::uint32_t child : nodes[n].children) add(child);
+            return;
+        }
+        for (std::uint32_t leaf = nodes[n].firstLeaf; leaf < nodes[n].firstLeaf + nodes[n].leafCount; ++leaf) {
+            parts.ofCluster[group.firstCluster + leaf] = std::uint32_t(parts.parts.size());
+        }
+        parts.parts.push_back(candidates[n].plane);
+    };
+    add(0);
 }
 
 }  // namespace umbrage

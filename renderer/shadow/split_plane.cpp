@@ -50,19 +50,19 @@ Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homoge
                      : pointCameraLight(made.points[0], eye, light);
 }
 
-ScreenPlane screenPlane(const Plane& plane, const Eye& eye) {
+glm::dvec4 onScreen(const Plane& plane, const Eye& eye) {
     const Plane inView = glm::transpose(eye.worldFromView) * plane;
-    glm::dvec4 onScreen;
-    if (eye.perspective) {
-        // What is seen lies at (x sx, y sy, -1) znear / depth: multiplied by depth / znear, which is not negative.
-        onScreen = {inView.x * eye.rayScale.x, inView.y * eye.rayScale.y, inView.w / eye.znear, -inView.z};
-    } else {
-        // It lies at (x sx, y sy, depth (zfar - znear) - zfar).
-        onScreen = {inView.x * eye.rayScale.x, inView.y * eye.rayScale.y, inView.z * (eye.zfar - eye.znear),
-                    inView.w - inView.z * eye.zfar};
-    }
+    const double x = inView.x * eye.rayScale.x, y = inView.y * eye.rayScale.y;
+    // What is seen lies at (x sx, y sy, -1) znear / depth: multiplied by depth / znear, which is not negative.
+    if (eye.perspective) return {x, y, inView.w / eye.znear, -inView.z};
+    // It lies at (x sx, y sy, depth (zfar - znear) - zfar).
+    return {x, y, inView.z * (eye.zfar - eye.znear), inView.w - inView.z * eye.zfar};
+}
+
+ScreenPlane screenPlane(const Plane& plane, const Eye& eye) {
+    const glm::dvec4 p = onScreen(plane, eye);
     // With reversed depth the eye is at (0, 0, +1, 0) on screen (the paper has it at -1).
-    return {onScreen.z < 0.0 ? -onScreen : onScreen.z > 0.0 ? onScreen : glm::dvec4(0.0)};
+    return {p.z < 0.0 ? -p : p.z > 0.0 ? p : glm::dvec4(0.0)};
 }
 
 }  // namespace umbrage

@@ -60,7 +60,10 @@ struct ScreenPlane {
     }
 };
 
+/// The plane whose inner product with (NDC x, NDC y, depth, 1) has the sign that `plane` has where that depth lies.
 /// @param plane  in the space that `eye.viewFromWorld` starts from
+glm::dvec4 onScreen(const Plane& plane, const Eye& eye);
+
 ScreenPlane screenPlane(const Plane& plane, const Eye& eye);
 
 /// What stands for a tile in its split test; his tests took the farthest, which favours z-fail.
