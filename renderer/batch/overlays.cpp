@@ -76,6 +76,12 @@ RgbPicture overdrawPicture(const OverlayInput& in) {
     return overdrawOf(in, in.pixels, in.technique);
 }
 
+RgbPicture updatesPicture(const OverlayInput& in) {
+    std::vector<float> mean = in.pixels.overdrawUpdates;
+    for (float& updates : mean) updates /= float(std::max<std::size_t>(1, in.pixels.lights.size()));
+    return falseColor(in, mean, {"count changes per light", 16.0f}, in.technique);
+}
+
 std::vector<KeyEntry> keyOfLights(const OverlayInput& in) {
     std::vector<KeyEntry> key;
     for (std::size_t l = 0; l < in.pixels.lights.size(); ++l) key.push_back({categoryColor(l), in.pixels.lights[l].id});
@@ -95,18 +101,31 @@ RgbPicture silhouettePicture(const OverlayInput& in) {
     return finished(std::move(canvas), in, "");
 }
 
-RgbPicture volumesPicture(const OverlayInput& in) {
+/// @param weighted  RGBA: colours added up, and their weights
+/// @param opacityOf  of a weight
+RgbPicture weightedPicture(const OverlayInput& in, const std::vector<float>& weighted, const char* title,
+                           float (*opacityOf)(float)) {
     Canvas canvas = dimmed(in);
     forPixels(in, [&](std::size_t i, int x, int y) {
-        const float* p = &in.pixels.hulls[4 * i];
+        const float* p = &weighted[4 * i];
         if (p[3] <= 0.0f) return;
         Rgb8 color;
         for (std::size_t c = 0; c < 3; ++c) color[c] = std::uint8_t(255.0f * std::min(p[c] / p[3], 1.0f) + 0.5f);
-        // One face is a breath, some hundreds are not yet a wall.
-        canvas.blend(x, y, color, std::min(0.1f * std::log2(1.0f + p[3]), 0.85f));
+        canvas.blend(x, y, color, opacityOf(p[3]));
     });
-    drawKey(canvas, "shadow volumes of light", keyOfLights(in));
+    drawKey(canvas, title, keyOfLights(in));
     return finished(std::move(canvas), in, "");
+}
+
+RgbPicture volumesPicture(const OverlayInput& in) {
+    // One face is a breath, some hundreds are not yet a wall.
+    return weightedPicture(in, in.pixels.hulls, "shadow volumes of light",
+                           [](float faces) { return std::min(0.1f * std::log2(1.0f + faces), 0.85f); });
+}
+
+RgbPicture splitPlanePicture(const OverlayInput& in) {
+    return weightedPicture(in, in.pixels.splitPlanes, "split planes of light",
+                           [](float planes) { return std::min(0.5f * planes, 0.7f); });
 }
 
 RgbPicture castersPicture(const OverlayInput& in) {
@@ -192,8 +211,10 @@ struct Overlay {
 constexpr Overlay kOverlayPictures[] = {
     {"stencil", [](FrameOutputs& o) { o.counts = true; }, stencilPicture},
     {"overdraw", [](FrameOutputs& o) { o.overdraw = true; }, overdrawPicture},
+    {"updates", [](FrameOutputs& o) { o.overdraw = true; }, updatesPicture},
     {"silhouettes", [](FrameOutputs& o) { o.aovs.emplace("silhouette"); }, silhouettePicture},
     {"volumes", [](FrameOutputs& o) { o.hulls = true; }, volumesPicture},
+    {"split-plane", [](FrameOutputs& o) { o.splitPlanes = o.geometry = true; }, splitPlanePicture},
     {"casters", [](FrameOutputs& o) { o.topCasters = true; }, castersPicture},
     {"tiles", [](FrameOutputs& o) { o.overdraw = true; }, tilesPicture},
     {"techniques", [](FrameOutputs& o) { o.overdraw = true; }, techniquesPicture},

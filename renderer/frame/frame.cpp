@@ -23,6 +23,7 @@
 #include "shadow/geometry.h"
 #include "shadow/layers.h"
 #include "shadow/masks.h"
+#include "shadow/split_picture.h"
 
 namespace umbrage {
 namespace {
@@ -74,6 +75,7 @@ struct FrameRenderer::Impl {
     Silhouettes silhouettes;
     std::unique_ptr<CasterParts> casterParts;  // these two where counts are made by parts
     std::unique_ptr<DepthSampler> depthSampler;
+    std::vector<LightParts> parts;  // of all lights of the frame, where somebody wants to see them
     LayerBound layerBound{geometry};
     VolumeRenderer volumes{settings.samples};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
@@ -110,6 +112,7 @@ struct FrameRenderer::Impl {
     void castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
+    void drawSplitPlanes(const std::vector<const PlacedLight*>& lights, FramePixels& pixels) const;
     void readSamples(FramePixels& pixels);
 };
 
@@ -192,6 +195,7 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
     const bool halve = settings.halveEvenComponents && !outputs.counts;
     const CountSettings countSettings = findCasters(halve);
     masks->clear();
+    parts.clear();
     // Also without any light there is one sweep: it sets up the triangles' planes.
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
         const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
@@ -203,6 +207,9 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
         }
         markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
         if (casterParts) chooseParts(moment, lights, group);
+        if (casterParts && outputs.splitPlanes) {
+            parts.insert(parts.end(), casterParts->chosen().begin(), casterParts->chosen().end());
+        }
         findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures}, silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
@@ -257,6 +264,17 @@ void FrameRenderer::Impl::readSamples(FramePixels& pixels) {
         }
     }
     for (LightPlanes& planes : pixels.lights) planes.reaches.resize(pixels.seen.triangles.size());
+}
+
+void FrameRenderer::Impl::drawSplitPlanes(const std::vector<const PlacedLight*>& lights, FramePixels& pixels) const {
+    SplitPicture picture(settings.width, settings.height);
+    std::vector<float> distances(pixels.normalAndDepth.size() / 4);
+    for (std::size_t i = 0; i < distances.size(); ++i) distances[i] = pixels.normalAndDepth[4 * i + 3];
+    for (std::size_t l = 0; l < parts.size(); ++l) {
+        const glm::vec3 color = colorOfLight(shining[l]);
+        picture.add(parts[l], shadowLight(*lights[l]), eye, color, distances);
+    }
+    pixels.splitPlanes = std::move(picture.values);
 }
 
 FrameRenderer::FrameRenderer(const Scene& scene, const Moment& first, const FrameSettings& settings,
@@ -329,6 +347,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         r.diagnostics.finish(r.scene, moment);
         r.aovs.read(outputs, *r.masks, r.silhouettes, eye, r.shining, pixels);
         if (outputs.samples) r.readSamples(pixels);
+        if (outputs.splitPlanes) r.drawSplitPlanes(lights, pixels);
     }
     if (outputs.figures && outputs.scene) recorder.scene(pixels.scene);
     if (outputs.figures) recorder.finish(moment.lights.size() - lights.size());

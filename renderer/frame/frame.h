@@ -41,6 +41,7 @@ struct FrameOutputs {
     bool scene = false;                       // how often opaque surfaces touch each pixel
     std::set<std::string, std::less<>> aovs;  // of job/aovs.h, those without a flag here
     bool hulls = false;                       // what the shadow volumes look like
+    bool splitPlanes = false;                 // and the planes, where count is split-plane; with `geometry`
     bool topCasters = false;                  // whose volumes fill most
     bool figures = false;                     // counters into Statistics
     bool samples = false;                     // every sample by itself, for the judge
@@ -86,6 +87,7 @@ struct FramePixels {
     std::vector<float> overdrawFragments, overdrawUpdates;
     SceneFragments scene;
     std::vector<float> hulls;               // RGBA: see shadow/hulls.h, in display values
+    std::vector<float> splitPlanes;         // as hulls: see shadow/split_picture.h
     std::vector<FillingCaster> topCasters;  // ten at most, the one that fills most first
     AovPlanes aovs;                         // the others
     SeenSamples seen;

@@ -27,11 +27,12 @@ bool measuresFill(const FrameOutputs& outputs) {
     return outputs.overdraw || outputs.figures || outputs.topCasters || outputs.wants("cost");
 }
 
-glm::vec3 floatsOf(const Rgb8& color) {
+}  // namespace
+
+glm::vec3 colorOfLight(std::size_t place) {
+    const Rgb8 color = categoryColor(place);
     return {float(color[0]) / 255.0f, float(color[1]) / 255.0f, float(color[2]) / 255.0f};
 }
-
-}  // namespace
 
 bool VolumeDiagnostics::wanted(const FrameOutputs& outputs) {
     return outputs.hulls || measuresFill(outputs);
@@ -56,7 +57,7 @@ void VolumeDiagnostics::light(std::vector<CountPlan> plans, const LightGroup& gr
     const gpu::Uncounted uncounted;
     if (measuresFill(*outputs_)) measure(plans, group, l, halve, planes, recorder);
     if (outputs_->hulls) {
-        const glm::vec3 color = floatsOf(categoryColor(place));
+        const glm::vec3 color = colorOfLight(place);
         hulls_->draw(plans, color, volumes_, geometry_, silhouettes_, group, l);
     }
     if (outputs_->topCasters) plans_.push_back(std::move(plans));

@@ -15,6 +15,9 @@
 
 namespace umbrage {
 
+/// What a light is drawn in. @param place  in the moment's list
+glm::vec3 colorOfLight(std::size_t place);
+
 class VolumeDiagnostics {
 public:
     /// All must outlive it.

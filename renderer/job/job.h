@@ -101,15 +101,16 @@ struct JobDisplacement {
 /// shadow.splitPlane: {"/Glob*": ...}
 struct JobSplitPlane {
     Located<std::string> glob{};
-    std::string plane = "auto";                                  // as JobParts::splitPlane
-    std::optional<std::array<std::array<double, 3>, 2>> points{};  // in the node's space; then the plane is through them
+    std::string plane = "auto";  // as JobParts::splitPlane
+    std::optional<std::array<std::array<double, 3>, 2>>
+        points{};  // in the node's space; then the plane is through them
 };
 
 /// How casters are divided, for counts that differ from part to part.
 struct JobParts {
-    bool automatic = true;                      // else an instance each ...
+    bool automatic = true;                        // else an instance each ...
     std::vector<Located<std::string>> globs{};    // ... but for what is at and below each node that these match
-    std::string splitPlane = "auto";            // point-camera-light, point-point-light
+    std::string splitPlane = "auto";              // point-camera-light, point-point-light
     std::vector<JobSplitPlane> ownSplitPlanes{};  // of some nodes' parts
 };
 

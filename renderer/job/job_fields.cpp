@@ -311,6 +311,11 @@ void setLayers(Job& job, const std::vector<Layer>& layers) {
 }
 
 void checkJob(const Job& job, const YamlNode& node) {
+    const std::vector<std::string>& overlays = job.diagnostics.overlays;
+    if (job.shadow.count != "split-plane" && std::count(overlays.begin(), overlays.end(), "split-plane") > 0) {
+        refuse(*node.find("diagnostics"), "the overlay split-plane shows what only the count split-plane has",
+               "set shadow.count to split-plane");
+    }
     if (job.gltfLayers.empty()) refuse(*node.find("scene"), "the scene has no glTF layer", "add - gltf: FILE");
 }
 

@@ -15,8 +15,10 @@ struct NameAndMeaning {
 inline constexpr std::array kOverlays = {
     NameAndMeaning{"stencil", "shadow counts in false colour"},
     NameAndMeaning{"overdraw", "shadow-volume fragments as a heat map"},
+    NameAndMeaning{"updates", "how often counts change at each pixel"},
     NameAndMeaning{"silhouettes", "silhouette edges of each light"},
     NameAndMeaning{"volumes", "the shadow volumes themselves, translucent, with their edges"},
+    NameAndMeaning{"split-plane", "where split-plane splits the shadow volumes, as far as they reach"},
     NameAndMeaning{"casters", "whose volumes fill most at each pixel"},
     NameAndMeaning{"tiles", "tiles of 8 x 8 pixels that volumes touch, and in which counts change"},
     NameAndMeaning{"techniques", "the heat maps of two techniques side by side"},

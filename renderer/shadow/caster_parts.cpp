@@ -128,21 +128,17 @@ void CasterParts::choose(const Moment& moment, const Geometry& geometry, std::sp
 }
 
 /// The plane of a part that changes fewest counts.
-CasterParts::Candidate CasterParts::best(const SplitChoice& choice, PartOutline outline, const View& view) const {
+CasterParts::Candidate CasterParts::best(const SplitChoice& choice, const PartOutline& outline, const View& view) {
     const PartShape shape = shapeOf(outline.extremes);
-    Candidate best;
-    const bool free = !choice.kind && !choice.points && !view.samples.empty();
-    for (const SplitPlaneKind kind : {SplitPlaneKind::PointCameraLight, SplitPlaneKind::PointPointLight}) {
-        SplitChoice tried = choice;
-        if (free) tried.kind = kind;
-        const Plane plane = splitPlane(shape, tried, view.eye.point(), view.light);
-        const double updates =
-            expectedUpdates(outline, screenPlane(plane, view.eye), view.light, view.eye, view.samples);
-        const bool isFirst = kind == SplitPlaneKind::PointCameraLight;
-        if (isFirst || updates < best.updates) best = {splitPoints(shape, tried, view.light), updates};
-        if (!free) break;
-    }
-    return best;
+    const auto tried = [&](const SplitChoice& by) -> Candidate {
+        const SplitPoints made = splitPoints(shape, by, view.light);
+        const ScreenPlane plane = screenPlane(planeOf(made, view.eye.point(), view.light), view.eye);
+        return {made, expectedUpdates(outline, plane, view.light, view.eye, view.samples)};
+    };
+    if (choice.kind || choice.points || view.samples.empty()) return tried(choice);
+    const Candidate towardsEye = tried({SplitPlaneKind::PointCameraLight, {}});
+    const Candidate alongAxis = tried({SplitPlaneKind::PointPointLight, {}});
+    return alongAxis.updates < towardsEye.updates ? alongAxis : towardsEye;
 }
 
 /// @param points  of the whole group
@@ -152,6 +148,7 @@ void CasterParts::addParts(const Group& group, const SplitChoice& choice, std::s
         const PartOutline outline{{points.begin(), points.end()}, 0.0};
         parts.ofCluster[group.firstCluster] = std::uint32_t(parts.parts.size());
         parts.parts.push_back(best(choice, outline, view).plane);
+        parts.extremes.push_back(outline.extremes);
         return;
     }
     constexpr double kWorthIt = 0.95;  // a division that is guessed to save less is not made
@@ -174,6 +171,7 @@ void CasterParts::addParts(const Group& group, const SplitChoice& choice, std::s
             parts.ofCluster[group.firstCluster + leaf] = std::uint32_t(parts.parts.size());
         }
         parts.parts.push_back(candidates[n].plane);
+        parts.extremes.push_back(transformed(nodes[n].extremes, worldFromModel));
     };
     add(0);
 }

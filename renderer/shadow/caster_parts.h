@@ -54,7 +54,7 @@ private:
     std::vector<glm::dvec3> pointsOf(const Group& group, const Moment& moment, const Geometry& geometry) const;
     void addParts(const Group& group, const SplitChoice& choice, std::span<const glm::dvec3> points, const View& view,
                   const glm::dmat4& worldFromModel, LightParts& parts) const;
-    Candidate best(const SplitChoice& choice, PartOutline outline, const View& view) const;
+    static Candidate best(const SplitChoice& choice, const PartOutline& outline, const View& view);
 
     bool automatic_ = false;
     InstanceParts parts_;

@@ -17,6 +17,7 @@ namespace umbrage {
 struct LightParts {
     std::vector<std::uint32_t> ofCluster;  // the part of each
     std::vector<SplitPoints> parts;
+    std::vector<std::vector<glm::dvec3>> extremes;  // of each part's vertices, in the world
 };
 
 class SplitParts {

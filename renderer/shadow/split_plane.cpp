@@ -44,10 +44,13 @@ SplitPoints splitPoints(const PartShape& shape, const SplitChoice& choice, const
     return {{shape.center(), glm::dvec3(0.0)}, false};
 }
 
-Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homogeneous& eye, const Homogeneous& light) {
-    const SplitPoints made = splitPoints(shape, choice, light);
+Plane planeOf(const SplitPoints& made, const Homogeneous& eye, const Homogeneous& light) {
     return made.both ? pointPointLight(made.points[0], made.points[1], light)
                      : pointCameraLight(made.points[0], eye, light);
+}
+
+Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homogeneous& eye, const Homogeneous& light) {
+    return planeOf(splitPoints(shape, choice, light), eye, light);
 }
 
 glm::dvec4 onScreen(const Plane& plane, const Eye& eye) {

@@ -44,6 +44,8 @@ struct SplitPoints {
 
 SplitPoints splitPoints(const PartShape& shape, const SplitChoice& choice, const Homogeneous& light);
 
+Plane planeOf(const SplitPoints& made, const Homogeneous& eye, const Homogeneous& light);
+
 /// All in one space.
 Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homogeneous& eye, const Homogeneous& light);
 
