@@ -120,7 +120,11 @@ Type<JobParts> casterParts() {
     const auto globs = converted<JobParts>(
         listOf(located(text("a glob of node paths")), "a list of globs"),
         [](const auto& list, const YamlNode&) { return JobParts{.automatic = false, .globs = list}; });
-    return either(named, globs, [](const YamlNode& node) { return !node.isSequence(); });
+    Type<JobParts> type = either(named, globs, [](const YamlNode& node) { return !node.isSequence(); });
+    type.read = [a = named.read, b = globs.read](const YamlNode& node, const std::string& name) {
+        return node.isSequence() ? b(node, name) : a(node, name);
+    };
+    return type;
 }
 
 using SplitPlanes = std::pair<std::string, std::vector<JobSplitPlane>>;

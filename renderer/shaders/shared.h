@@ -165,12 +165,14 @@ struct CasterState {
 
 // A part of the casters of one light, counted by z-pass before its split plane and by z-fail behind it (Laine 2005).
 struct SplitPart {
-    vec4 points[2];      // view space; the second with w = 0: the plane turns towards the eye instead
+    vec4 points[2];      // view space; the second's w: SplitPoints::Kind
     vec4 plane;          // on screen, see split.glsl
     uint eyeInside[2];   // its layers over the two ends of the view rays: SPLIT_PASS, SPLIT_FAIL
     uint hazards;        // bits of the ends that lie on its volumes (T4)
     uint unusedPart;
 };
+#define SPLIT_POINT_POINT 1.0
+#define SPLIT_NOWHERE 2.0
 #define SPLIT_PASS 0
 #define SPLIT_FAIL 1
 

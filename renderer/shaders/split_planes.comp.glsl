@@ -30,8 +30,9 @@ void main() {
     vec4 p = parts[part].points[0], q = parts[part].points[1];
     vec3 light = normalize(towards(lights[firstLight + part / partsPerLight].position, p.xyz));
     vec3 eye = view.perspective != 0u ? -p.xyz : vec3(0.0, 0.0, 1.0);
-    vec3 normal = q.w != 0.0 ? cross(q.xyz - p.xyz, light) : cross(cross(eye, light), light);
+    vec3 normal = q.w == SPLIT_POINT_POINT ? cross(q.xyz - p.xyz, light) : cross(cross(eye, light), light);
     vec4 plane = onScreen(vec4(normal, -dot(normal, p.xyz)));
     // With reversed depth the eye is at (0, 0, +1, 0) on screen.
-    parts[part].plane = plane.z < 0.0 ? -plane : plane.z > 0.0 ? plane : vec4(0.0);
+    parts[part].plane = q.w == SPLIT_NOWHERE ? vec4(0.0, 0.0, 0.0, 1.0)
+                        : plane.z < 0.0 ? -plane : plane.z > 0.0 ? plane : vec4(0.0);
 }

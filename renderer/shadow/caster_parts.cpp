@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shadow/caster_parts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -33,6 +34,11 @@ CasterParts::CasterParts(const Scene& scene, const Moment& first, const Geometry
     : automatic_(wanted.automatic), parts_(groupInstances(scene, first.instances, wanted.globs)) {
     readGroups(scene, first, wanted);
     makeClusters(scene, geometry);
+}
+
+bool CasterParts::wantsSamples() const {
+    return std::any_of(groups_.begin(), groups_.end(),
+                       [](const Group& group) { return group.tree || (!group.choice.kind && !group.choice.points); });
 }
 
 void CasterParts::readGroups(const Scene& scene, const Moment& first, const JobParts& wanted) {
@@ -130,15 +136,17 @@ void CasterParts::choose(const Moment& moment, const Geometry& geometry, std::sp
 /// The plane of a part that changes fewest counts.
 CasterParts::Candidate CasterParts::best(const SplitChoice& choice, const PartOutline& outline, const View& view) {
     const PartShape shape = shapeOf(outline.extremes);
-    const auto tried = [&](const SplitChoice& by) -> Candidate {
-        const SplitPoints made = splitPoints(shape, by, view.light);
-        const ScreenPlane plane = screenPlane(planeOf(made, view.eye.point(), view.light), view.eye);
+    const auto guessed = [&](const SplitPoints& made) -> Candidate {
+        const ScreenPlane plane = screenPlane(made, view.light, view.eye);
         return {made, expectedUpdates(outline, plane, view.light, view.eye, view.samples)};
     };
-    if (choice.kind || choice.points || view.samples.empty()) return tried(choice);
-    const Candidate towardsEye = tried({SplitPlaneKind::PointCameraLight, {}});
-    const Candidate alongAxis = tried({SplitPlaneKind::PointPointLight, {}});
-    return alongAxis.updates < towardsEye.updates ? alongAxis : towardsEye;
+    if (choice.kind || choice.points || view.samples.empty()) return guessed(splitPoints(shape, choice, view.light));
+    Candidate best = guessed({{}, SplitPoints::Kind::Nowhere});
+    for (const SplitPlaneKind kind : {SplitPlaneKind::PointCameraLight, SplitPlaneKind::PointPointLight}) {
+        const Candidate tried = guessed(splitPoints(shape, {kind, {}}, view.light));
+        if (tried.updates < best.updates) best = tried;
+    }
+    return best;
 }
 
 /// @param points  of the whole group

@@ -26,7 +26,7 @@ public:
     /// @param samples  of what is seen; none where `wantsSamples()` says so
     void choose(const Moment& moment, const Geometry& geometry, std::span<const Homogeneous> lights,
                 std::uint32_t firstLight, const Eye& eye, std::span<const DepthSample> samples);
-    bool wantsSamples() const { return automatic_; }
+    bool wantsSamples() const;
 
     SplitParts& onDevice() { return onDevice_; }
     /// Of the last choice, per light.

@@ -28,6 +28,25 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
     return hull;
 }
 
+/// The convex hull of points on screen; empty where some are not before the eye.
+std::vector<glm::dvec2> outlineOnScreen(std::span<const glm::dvec3> points, const Eye& eye) {
+    std::vector<glm::dvec2> seen;
+    for (const glm::dvec3& p : points) {
+        const glm::dvec4 clip = eye.clipFromView * (eye.viewFromWorld * glm::dvec4(p, 1.0));
+        if (!(clip.w > 0.0)) return {};
+        seen.push_back(VIEWPORT_SCALE * glm::dvec2(clip) / clip.w);
+    }
+    return convexHull(seen);
+}
+
+bool holds(const std::vector<glm::dvec2>& hull, const glm::dvec2& p) {
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const glm::dvec2 a = hull[i], b = hull[(i + 1) % hull.size()];
+        if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) < 0.0) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 std::vector<glm::dvec4> shadowOnScreen(std::span<const glm::dvec3> points, const Homogeneous& light, const Eye& eye,
@@ -71,7 +90,8 @@ double expectedUpdates(const PartOutline& part, const ScreenPlane& plane, const 
                        std::span<const DepthSample> samples) {
     double perimeter = 0.0;
     const std::vector<glm::dvec4> shadow = shadowOnScreen(part.extremes, light, eye, perimeter);
-    double sum = 0.0;
+    const std::vector<glm::dvec2> outline = outlineOnScreen(part.extremes, eye);
+    double sides = 0.0, caps = 0.0;
     for (const DepthSample& sample : samples) {
         double nearest = 1.0, farthest = 0.0;  // reversed
         for (const glm::dvec4& p : shadow) {
@@ -82,10 +102,13 @@ double expectedUpdates(const PartOutline& part, const ScreenPlane& plane, const 
         }
         if (!(nearest > farthest)) continue;
         const double here = std::clamp(sample.depth, farthest, nearest);
-        sum += (plane.passes(sample.ndc, sample.depth) ? nearest - here : here - farthest) / (nearest - farthest);
+        const bool passes = plane.passes(sample.ndc, sample.depth);
+        sides += (passes ? nearest - here : here - farthest) / (nearest - farthest);
+        if (!passes) caps += int(farthest == 0.0) + int(holds(outline, sample.ndc));
     }
-    // A ray crosses a convex outline twice, and more often by as much as the edges are longer than that.
-    return 2.0 * sum * (perimeter > 0.0 ? std::max(1.0, part.sidesMetres / perimeter) : 1.0);
+    // A ray crosses a convex outline twice, and more often by as much as the edges are longer than that; caps are those
+    // of a front and a back.
+    return 2.0 * (caps + sides * (perimeter > 0.0 ? std::max(1.0, part.sidesMetres / perimeter) : 1.0));
 }
 
 }  // namespace umbrage

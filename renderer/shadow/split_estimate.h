@@ -29,7 +29,7 @@ std::vector<glm::dvec4> shadowOnScreen(std::span<const glm::dvec3> points, const
                                        double& perimeter);
 
 /// Count changes to be expected, summed over the samples: those of the volume's layers, which are taken to be spread
-/// evenly through it, that lie between a sample and the plane.
+/// evenly through it, that lie between a sample and the plane, and its caps where they are counted.
 double expectedUpdates(const PartOutline& part, const ScreenPlane& plane, const Homogeneous& light, const Eye& eye,
                        std::span<const DepthSample> samples);
 

@@ -5,6 +5,9 @@
 
 namespace umbrage {
 
+static_assert(float(int(SplitPoints::Kind::PointPointLight)) == float(SPLIT_POINT_POINT) &&
+              float(int(SplitPoints::Kind::Nowhere)) == float(SPLIT_NOWHERE));
+
 void SplitParts::setClusters(std::vector<std::uint32_t> ofPlacedTriangle, std::uint32_t clusterCount) {
     clusters_ = std::move(ofPlacedTriangle);
     clusterCount_ = clusterCount;
@@ -27,7 +30,7 @@ void SplitParts::set(std::span<const LightParts> lights, std::uint32_t firstLigh
             for (int k = 0; k < 2; ++k) {
                 host[first + p].points[k] = gpu::vec4(eye.viewFromWorld * glm::dvec4(made.points[k], 1.0));
             }
-            host[first + p].points[1].w = made.both ? 1.0f : 0.0f;
+            host[first + p].points[1].w = float(int(made.kind));
         }
     }
     partOfBuffer_.reserve("parts of clusters", partOf_.size() * sizeof(std::uint32_t));

@@ -28,7 +28,7 @@ void SplitPicture::add(const LightParts& parts, const Homogeneous& light, const 
     for (std::size_t p = 0; p < parts.parts.size(); ++p) {
         double perimeter = 0.0;
         const std::vector<glm::dvec4> shadow = shadowOnScreen(parts.extremes[p], light, eye, perimeter);
-        const glm::dvec4 plane = screenPlane(planeOf(parts.parts[p], eye.point(), light), eye).plane;
+        const glm::dvec4 plane = screenPlane(parts.parts[p], light, eye).plane;
         if (plane.z == 0.0) continue;
         for (int y = 0; y < height; ++y) {
             for (int x = 0; x < width; ++x) {

@@ -37,20 +37,18 @@ SplitPlaneKind automaticKind(const PartShape& shape, const Homogeneous& light) {
 }
 
 SplitPoints splitPoints(const PartShape& shape, const SplitChoice& choice, const Homogeneous& light) {
-    if (choice.points) return {{(*choice.points)[0], (*choice.points)[1]}, true};
+    using Kind = SplitPoints::Kind;
+    if (choice.points) return {{(*choice.points)[0], (*choice.points)[1]}, Kind::PointPointLight};
     if (choice.kind.value_or(automaticKind(shape, light)) == SplitPlaneKind::PointPointLight) {
-        return {{shape.axisEnds[0], shape.axisEnds[1]}, true};
+        return {{shape.axisEnds[0], shape.axisEnds[1]}, Kind::PointPointLight};
     }
-    return {{shape.center(), glm::dvec3(0.0)}, false};
-}
-
-Plane planeOf(const SplitPoints& made, const Homogeneous& eye, const Homogeneous& light) {
-    return made.both ? pointPointLight(made.points[0], made.points[1], light)
-                     : pointCameraLight(made.points[0], eye, light);
+    return {{shape.center(), glm::dvec3(0.0)}, Kind::PointCameraLight};
 }
 
 Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homogeneous& eye, const Homogeneous& light) {
-    return planeOf(splitPoints(shape, choice, light), eye, light);
+    const SplitPoints made = splitPoints(shape, choice, light);
+    return made.kind == SplitPoints::Kind::PointPointLight ? pointPointLight(made.points[0], made.points[1], light)
+                                                           : pointCameraLight(made.points[0], eye, light);
 }
 
 glm::dvec4 onScreen(const Plane& plane, const Eye& eye) {
@@ -66,6 +64,17 @@ ScreenPlane screenPlane(const Plane& plane, const Eye& eye) {
     const glm::dvec4 p = onScreen(plane, eye);
     // With reversed depth the eye is at (0, 0, +1, 0) on screen (the paper has it at -1).
     return {p.z < 0.0 ? -p : p.z > 0.0 ? p : glm::dvec4(0.0)};
+}
+
+ScreenPlane screenPlane(const SplitPoints& made, const Homogeneous& light, const Eye& eye) {
+    switch (made.kind) {
+        case SplitPoints::Kind::PointPointLight:
+            return screenPlane(pointPointLight(made.points[0], made.points[1], light), eye);
+        case SplitPoints::Kind::Nowhere:
+            return {{0.0, 0.0, 0.0, 1.0}};
+        default:
+            return screenPlane(pointCameraLight(made.points[0], eye.point(), light), eye);
+    }
 }
 
 }  // namespace umbrage

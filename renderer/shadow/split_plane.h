@@ -38,13 +38,16 @@ SplitPlaneKind automaticKind(const PartShape& shape, const Homogeneous& light);
 
 /// What a part's split plane is made of.
 struct SplitPoints {
+    enum class Kind {
+        PointCameraLight,  // with the first point
+        PointPointLight,   // with both
+        Nowhere,           // there is none: z-pass at every pixel
+    };
     glm::dvec3 points[2]{};
-    bool both = false;  // point-point-light; else point-camera-light with the first
+    Kind kind = Kind::PointCameraLight;
 };
 
 SplitPoints splitPoints(const PartShape& shape, const SplitChoice& choice, const Homogeneous& light);
-
-Plane planeOf(const SplitPoints& made, const Homogeneous& eye, const Homogeneous& light);
 
 /// All in one space.
 Plane splitPlane(const PartShape& shape, const SplitChoice& choice, const Homogeneous& eye, const Homogeneous& light);
@@ -66,10 +69,13 @@ struct ScreenPlane {
 /// @param plane  in the space that `eye.viewFromWorld` starts from
 glm::dvec4 onScreen(const Plane& plane, const Eye& eye);
 
-ScreenPlane screenPlane(const Plane& plane, const Eye& eye);
-
 /// What stands for a tile in its split test; his tests took the farthest, which favours z-fail.
 enum class SplitAgainst { Farthest, Nearest };
+
+ScreenPlane screenPlane(const Plane& plane, const Eye& eye);
+
+/// All in the space that `eye.viewFromWorld` starts from.
+ScreenPlane screenPlane(const SplitPoints& made, const Homogeneous& light, const Eye& eye);
 
 /// The split test of a whole tile, at its centre (his section 5.2).
 /// @param nearestDepth, farthestDepth  in the tile; reversed: nearest is the larger

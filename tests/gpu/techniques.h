@@ -37,7 +37,7 @@ inline FramePixels render(const TestScene& test, const std::string& count, const
 inline void expectRight(const TestScene& test) {
     const Moment moment = evaluate(test.scene, {}, 0.0);
     FramePixels reference;
-    for (const char* count : {"z-pass", "z-fail"}) {
+    for (const char* count : {"z-pass", "z-fail", "split-plane"}) {
         for (const char* silhouette : {"compute", "cpu"}) {
             for (const bool halve : {true, false}) {
                 SCOPED_TRACE(std::string(count) + " " + silhouette + (halve ? " halved" : " whole"));
