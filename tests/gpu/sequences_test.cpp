@@ -17,7 +17,7 @@ namespace umbrage::test {
 namespace {
 
 struct Agreement {
-    std::uint64_t pixels = 0, maskDiffers = 0, countDiffers = 0, offBoundary = 0, skipsDiffer = 0;
+    std::uint64_t pixels = 0, maskDiffers = 0, countDiffers = 0, offBoundary = 0, skipsDiffer = 0, splitDiffers = 0;
     int worstFrame = 0;
     std::uint64_t worst = 0;
 };
@@ -84,6 +84,8 @@ TEST_P(Sequence, PassAndFailAgree) {
     FrameRenderer pass(composition.scene, first, settings, context());
     settings.count = "z-fail";
     FrameRenderer fail(composition.scene, first, settings, context());
+    settings.count = "split-plane";
+    FrameRenderer split(composition.scene, first, settings, context());
     FrameOutputs outputs;
     outputs.shadows = outputs.counts = true;
 
@@ -97,6 +99,7 @@ TEST_P(Sequence, PassAndFailAgree) {
         FrameOutputs masksOnly;
         masksOnly.shadows = true;  // with all skips
         const FramePixels c = pass.render(moment, camera, masksOnly, frame, statistics);
+        const FramePixels d = split.render(moment, camera, masksOnly, frame, statistics);
         ASSERT_EQ(a.lights.size(), b.lights.size());
         total.skipsDiffer += a.radiance != c.radiance;
         std::uint64_t differs = 0;
@@ -107,6 +110,8 @@ TEST_P(Sequence, PassAndFailAgree) {
                     ++total.pixels;
                     total.skipsDiffer += a.lights[l].shadow[i] != c.lights[l].shadow[i];
                     total.countDiffers += a.lights[l].counts[i] != b.lights[l].counts[i];
+                    const float both = d.lights[l].shadow[i];
+                    total.splitDiffers += both != a.lights[l].shadow[i] && both != b.lights[l].shadow[i];
                     if (a.lights[l].shadow[i] == b.lights[l].shadow[i]) continue;
                     ++differs;
                     total.offBoundary += !onBoundary(a.lights[l].shadow, settings.width, settings.height, x, y) &&
@@ -128,6 +133,7 @@ TEST_P(Sequence, PassAndFailAgree) {
         static_cast<unsigned long long>(total.countDiffers), total.worstFrame,
         static_cast<unsigned long long>(total.worst));
     EXPECT_EQ(total.offBoundary, 0u);
+    EXPECT_EQ(total.splitDiffers, 0u) << "split-plane makes the choice of one of them at every pixel";
     EXPECT_EQ(total.skipsDiffer, 0u) << "skips must not change a bit of picture or masks";
     EXPECT_LE(double(total.maskDiffers), 1e-5 * double(total.pixels));
 }
