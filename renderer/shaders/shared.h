@@ -139,8 +139,8 @@ struct Edge {
 #define TALLY_KIND 13
 #define TALLY_FAILED 14
 
-// What an entry of a list of side quads is beside placed edge << 1 | (m < 0): it belongs to the part of the edge's right
-// triangle, whose left one is of another part.
+// What an entry of a list of side quads is beside placed edge << 1 | (m < 0): it belongs to the part of the edge's
+// right triangle, whose left one is of another part.
 #define QUAD_OF_RIGHT 0x80000000u
 
 // Kinds of caps, see cap.vert.glsl.
@@ -165,10 +165,10 @@ struct CasterState {
 
 // A part of the casters of one light, counted by z-pass before its split plane and by z-fail behind it (Laine 2005).
 struct SplitPart {
-    vec4 points[2];      // view space; the second's w: SplitPoints::Kind
-    vec4 plane;          // on screen, see split.glsl
-    uint eyeInside[2];   // its layers over the two ends of the view rays: SPLIT_PASS, SPLIT_FAIL
-    uint hazards;        // bits of the ends that lie on its volumes (T4)
+    vec4 points[2];     // view space; the second's w: SplitPoints::Kind
+    vec4 plane;         // on screen, see split.glsl
+    uint eyeInside[2];  // its layers over the two ends of the view rays: SPLIT_PASS, SPLIT_FAIL
+    uint hazards;       // bits of the ends that lie on its volumes (T4)
     uint unusedPart;
 };
 #define SPLIT_POINT_POINT 1.0
