@@ -95,7 +95,11 @@ struct JobCamera {
 
 struct JobDisplacement {
     Located<std::string> glob;
-    float amplitude = 0.1f, frequency = 3.0f, speed = 1.0f;  // kind: noise
+    std::string kind = "noise";  // of kProcedures
+    Sampled<1> amplitude{{}, {{0.1}}, {}};
+    std::array<double, 3> axis{0, 1, 0};
+    float frequency = 3.0f, speed = 1.0f;
+    KeyInterpolation interpolation = KeyInterpolation::Linear;
 };
 
 struct Job {

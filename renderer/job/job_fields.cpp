@@ -36,21 +36,33 @@ Type<float> single(const Limits& limits = {}) {
         [](float value) { return std::stod(fmt::format("{}", value)); });  // .1, not .10000000149
 }
 
+Type<Triple> axis() {
+    const std::string expected = "an axis [x, y, z], not 0";
+    return converted<Triple>(triple(expected), [expected](Triple axis, const YamlNode& node) {
+        if (axis == Triple{}) refuseType(node, "axis", expected);
+        return axis;
+    });
+}
+
 Type<std::vector<JobDisplacement>> displacements() {
-    const auto noise = mapping<JobDisplacement>(
-        "displace", "A procedure that moves vertices along their normals, on the nodes whose path a glob matches.",
+    const auto procedure = mapping<JobDisplacement>(
+        "displace", "A procedure that moves vertices, on the nodes whose path a glob matches.",
         {
-            fieldThrough<JobDisplacement, std::string>(
-                "kind", choice({"noise"}), [](JobDisplacement&, const std::string&) {},
-                "The procedure: gradient noise of position and time", "noise"),
-            field<JobDisplacement>("amplitude", single(), &JobDisplacement::amplitude, "Largest displacement")
-                .in("metres"),
+            field<JobDisplacement>("kind", choice(namesOf(kProcedures)), &JobDisplacement::kind,
+                                   "The procedure: " + meaningsOf(kProcedures)),
+            field<JobDisplacement>("amplitude", sampledNumber(), &JobDisplacement::amplitude,
+                                   "Largest displacement in metres; of a twist, degrees a metre"),
+            field<JobDisplacement>("axis", axis(), &JobDisplacement::axis,
+                                   "Of wave and twist, through the mesh's origin"),
             field<JobDisplacement>("frequency", single(atLeast(0)), &JobDisplacement::frequency,
-                                   "Of the noise in space")
+                                   "Of noise and wave in space")
                 .in("1/metre"),
-            field<JobDisplacement>("speed", single(), &JobDisplacement::speed, "Of the noise in time").in("1/second"),
+            field<JobDisplacement>("speed", single(), &JobDisplacement::speed, "In time; 0 stands still")
+                .in("1/second"),
+            field<JobDisplacement>("interpolation", interpolation(), &JobDisplacement::interpolation,
+                                   "Between the time samples"),
         });
-    return converted<std::vector<JobDisplacement>>(dictionary(noise, "a mapping {glob: procedure, ...}"),
+    return converted<std::vector<JobDisplacement>>(dictionary(procedure, "a mapping {glob: procedure, ...}"),
                                                    [](const auto& entries, const YamlNode&) {
                                                        std::vector<JobDisplacement> made;
                                                        for (const auto& [glob, displacement] : entries) {

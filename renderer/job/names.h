@@ -22,6 +22,12 @@ inline constexpr std::array kOverlays = {
     NameAndMeaning{"techniques", "the heat maps of two techniques side by side"},
 };
 
+inline constexpr std::array kProcedures = {
+    NameAndMeaning{"noise", "gradient noise of position and time, along the normals"},
+    NameAndMeaning{"wave", "a sine wave that runs along the axis, along the normals"},
+    NameAndMeaning{"twist", "turns about the axis, in proportion to the place along it, to and fro in time"},
+};
+
 // Techniques, the default first.
 inline constexpr std::array kSilhouettes = {
     NameAndMeaning{"compute", "on the device, listed by compute shaders"},

@@ -42,6 +42,11 @@ using mat4 = glm::mat4;
 #define BIND_DEFORM_BOUNDS 13
 #define BIND_DEFORM_WEIGHTS 14
 #define MORPH_FLOATS 9u  // per vertex and target: position, normal, tangent
+// Displacement::Kind
+#define PROCEDURE_NOISE 0u
+#define PROCEDURE_WAVE 1u
+#define PROCEDURE_TWIST 2u
+
 #define BOUNDS_WORDS 6u  // per deforming instance: least and greatest xyz, as integers in the same order
 
 // So do matrices of the frame before, for motion.

@@ -67,6 +67,8 @@ TEST(JobErrors, WrongKindsOfValueSayWhatIsExpectedAndWhatIsThere) {
     expectRefused(sequence("image: {size: 4}\n"), {"s.yaml:3:15", "size must be a list [width, height], not 4", ""});
     expectRefused(sequence("image: {size: [4, 4, 4]}\n"), {"s.yaml:3:15", "expected 2 values, not 3", ""});
     expectRefused(sequence("image: {size: [4, 4.5]}\n"), {"s.yaml:3:19", "integer from 1 to 16384, not 4.5", ""});
+    expectRefused(sequence("displace: {/A: {kind: twist, axis: [0, 0, 0]}}\n"),
+                  {"s.yaml:3:36", "axis must be an axis [x, y, z], not 0", ""});
     expectRefused(sequence("color: {view: 12}\n"), {"s.yaml:3:15", "view must be a string, not 12", "quote it"});
     expectRefused(sequence("color: {view: \"\"}\n"), {"s.yaml:3:15", "view must be a string", ""});
     expectRefused(sequence("shadow: {enabled: 1}\n"), {"s.yaml:3:19", "enabled must be true or false, not 1", ""});
