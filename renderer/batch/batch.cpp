@@ -55,7 +55,7 @@ void say(const Composition& composition, const gpu::Context& context, const Fram
     for (const std::string& note : composition.scene.notes) observer.note(note);
     observer.note(fmt::format("device: {} ({})", context.info().renderer, context.info().version));
     if (outputs.counts) {
-        observer.note("counts are asked for, so the skips that change them are off: halve, range");
+        observer.note("counts are asked for, so the skips that change them are off: halve, range, view, extent");
     }
 }
 

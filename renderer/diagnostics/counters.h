@@ -59,6 +59,8 @@ inline constexpr std::array kCounters{
     CounterInfo{"eye.constant", "count", "shadow volumes that hold the eye"},
     CounterInfo{"casters.zfail", "count", "casters counted by z-fail because the eye is near their volumes"},
     CounterInfo{"casters.outOfReach", "count", "casters skipped because the light's range ends before them"},
+    CounterInfo{"casters.outOfView", "count", "casters skipped because no view ray meets them or their volumes"},
+    CounterInfo{"casters.ended", "count", "casters the sides of whose volumes end behind all that the light can shine on"},
     CounterInfo{"lights.skipped", "count", "lights that provably change no pixel of the frame"},
     // device
     CounterInfo{"device.draws", "count", "draw calls"},

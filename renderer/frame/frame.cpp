@@ -18,6 +18,7 @@
 #include "shading/surfaces.h"
 #include "shadow/bounds.h"
 #include "shadow/counts.h"
+#include "shadow/extent.h"
 #include "shadow/geometry.h"
 #include "shadow/layers.h"
 #include "shadow/masks.h"
@@ -96,7 +97,7 @@ struct FrameRenderer::Impl {
 
     void uploadView(const std::vector<const PlacedLight*>& lights);
     CountSettings findCasters(bool halve);
-    void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
+    void limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool exactCounts);
     void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
@@ -155,14 +156,30 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     return counts;
 }
 
-void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights,
-                                         bool skip) {
-    for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
-        std::uint32_t& bits = silhouettes.hostCasters[i].outOfReach;
-        bits = 0;
-        for (std::uint32_t l = 0; skip && l < group.count; ++l) {
-            const PlacedLight& light = *lights[group.first + l];
-            bits |= std::uint32_t(outOfReach(boxes[i], light.position, light.light.rangeMetres)) << l;
+/// Which casters need no volumes, and where those of the others may end.
+/// @param exactCounts  counts matter, not only whether they are zero: no skip that changes them
+void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights,
+                                       bool exactCounts) {
+    for (gpu::CasterState& caster : silhouettes.hostCasters) {
+        caster.outOfReach = caster.outOfView = 0;
+        std::fill(std::begin(caster.ends), std::end(caster.ends), 0u);
+    }
+    silhouettes.extents.assign(group.count, {});
+    const std::array<HalfSpace, 4> view = sidesOfView(eye);
+    for (std::uint32_t l = 0; l < group.count && !exactCounts; ++l) {
+        const PlacedLight& light = *lights[group.first + l];
+        const ShadowLight place = shadowLight(light);
+        const LightExtent extent(boxes, place, light.light.rangeMetres, eye);
+        silhouettes.extents[l] = extent.facesInView(eye);
+        for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
+            gpu::CasterState& caster = silhouettes.hostCasters[i];
+            const bool beyond =
+                settings.skipOutOfReach && outOfReach(boxes[i], light.position, light.light.rangeMetres);
+            const bool unseen = settings.skipOutOfView && outOfView(boxes[i], place, view);
+            caster.outOfReach |= std::uint32_t(beyond) << l;
+            caster.outOfView |= std::uint32_t(unseen) << l;
+            if (!settings.endSides || beyond || unseen) continue;
+            caster.ends[l / 10] |= extent.endOf(boxes[i]) << (3 * (l % 10));
         }
     }
 }
@@ -182,7 +199,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
             // z-fail has no constant there and would need caps of both ends; z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
-        markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
+        limitVolumes(group, lights, outputs.counts);
         findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures}, silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));

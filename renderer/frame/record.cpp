@@ -96,7 +96,7 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
                           const VolumeFill& fill, bool counted, const std::vector<std::uint32_t>& stencil) {
     const StatisticsPlace place{.light = id};
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
-    double quads = 0, eyeConstant = 0, zfail = 0, outOfReach = 0;
+    double quads = 0, eyeConstant = 0, zfail = 0, outOfReach = 0, outOfView = 0, ended = 0;
     for (const gpu::DrawCommand& list : summary.lists) quads += list.count / 6;
     for (const std::uint32_t layers : summary.eyeInside) eyeConstant += layers;
     FillSums sums;
@@ -105,6 +105,8 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
         const bool byFail = caster.countedByFail >> l & 1u;
         zfail += byFail;
         outOfReach += caster.outOfReach >> l & 1u;
+        outOfView += (caster.outOfView & ~caster.outOfReach) >> l & 1u;
+        ended += !byFail && endOfSides(caster, l) != 0;
         FillSums own;
         own.add(fill.casters[i], byFail, halve);
         if (own.fragments() > 0) {
@@ -123,6 +125,8 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
     statistics_.record(frame_, place, "eye.constant", eyeConstant);
     statistics_.record(frame_, place, "casters.zfail", zfail);
     statistics_.record(frame_, place, "casters.outOfReach", outOfReach);
+    statistics_.record(frame_, place, "casters.outOfView", outOfView);
+    statistics_.record(frame_, place, "casters.ended", ended);
     record(place, sums);
     statistics_.record(frame_, place, "overdraw.queried", double(fill.queried));
     recordPixels(place, fill.fragments, fill.updates);

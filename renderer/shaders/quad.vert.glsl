@@ -12,9 +12,17 @@ layout(std430, binding = BIND_EDGES) readonly buffer Edges { Edge edges[]; };
 layout(std430, binding = BIND_EDGE_CHUNKS) readonly buffer EdgeChunks { uint edgeChunks[]; };
 layout(std430, binding = BIND_QUADS) readonly buffer Quads { uint quads[]; };
 layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { vec4 lightsInModel[]; };
+layout(std430, binding = BIND_CASTERS) readonly buffer Casters { CasterState casters[]; };
 
 layout(location = 0) uniform uint lightIndex;
 layout(location = 1) uniform uint totalLights;
+
+/// Of a caster's sides, see sideEnd(). Volumes counted by z-fail go on to infinity, where their caps are.
+uint endOf(uint instance) {
+    uint l = lightIndex % LIGHTS_PER_GROUP;
+    if ((casters[instance].countedByFail >> l & 1u) != 0u) return 0u;
+    return casters[instance].ends[l / 10u] >> (3u * (l % 10u)) & 7u;
+}
 
 void main() {
     uint entry = quads[uint(gl_VertexID) >> 2u];
@@ -27,17 +35,18 @@ void main() {
     uint corner = uint(gl_VertexID) & 3u;
     bool far = corner == 2u || corner == (reversed ? 3u : 1u);
     bool second = corner == 2u || corner == (reversed ? 1u : 3u);
+    uint end = endOf(instance);
     uint vertexBase = instances[instance].vertexBase;
     vec3 p = positionOf(vertexBase + (second ? edge.b : edge.a));
-    gl_Position = far ? farCorner(instance, p, light) : nearCorner(instance, p);
+    gl_Position = far ? sideEnd(instance, p, light, end) : nearCorner(instance, p);
 #ifdef TALLY
     caster = instance;
 #endif
 #ifdef EDGE_ON
     vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
     nearA = nearCorner(instance, a);
-    farA = farCorner(instance, a, light);
+    farA = sideEnd(instance, a, light, end);
     nearB = nearCorner(instance, b);
-    farB = farCorner(instance, b, light);
+    farB = sideEnd(instance, b, light, end);
 #endif
 }

@@ -136,6 +136,7 @@ struct Edge {
 // Uniform locations shared by programs that differ in their vertex shader.
 #define COUNT_FRONT_VALUE 15
 #define HULL_COLOR 12
+#define EXTENT_FACES 20  // six planes in view space: normal, offset
 #define TALLY_KIND 13
 #define TALLY_FAILED 14
 
@@ -156,7 +157,10 @@ struct CasterState {
     uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
     uint missing;        // some of it is nearer than what is seen there: culled, or before the near plane (T1)
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
+    uint outOfView;      // bits of lights with which no view ray meets it or its volume
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight; as hazards
+    uint ends[4];  // ten lights in each, three bits a light: 0, or 1 + the face of the light's extent that sides end
+                   // behind
 };
 
 // Casters that are told apart in one pass.

@@ -3,6 +3,7 @@
 // file; all of them fill the same buffers, so that counting does not know which one ran.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -36,10 +37,16 @@ struct Silhouettes {
     std::vector<gpu::LightSummary> hostSummaries;
     std::vector<gpu::CasterState> hostCasters;
     std::uint32_t totalLights = 0, facingStride = 0;
+    std::vector<std::array<glm::vec4, 6>> extents;  // faces of what each light of the group shines on, in view space
 
     std::uint32_t facingBase(const LightGroup& group) const { return group.first / LIGHTS_PER_GROUP * facingStride; }
     void bind() const;
 };
+
+/// Of light `l` of the group: 0, or 1 + the face of its extent that sides end behind.
+inline std::uint32_t endOfSides(const gpu::CasterState& caster, std::uint32_t l) {
+    return caster.ends[l / 10] >> (3 * (l % 10)) & 7u;
+}
 
 struct SweepOptions {
     bool halve = true;     // LIST_HALVED gets one quad for two crossings, else both

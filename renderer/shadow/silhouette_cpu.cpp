@@ -196,7 +196,7 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
             planes_[instance.placedTriangleBase + first + k] = {normal, -glm::dot(normal, inView)};
         }
         for (std::uint32_t l = 0; l < group.count; ++l) {
-            if (out.hostCasters[i].outOfReach >> l & 1u) continue;
+            if ((out.hostCasters[i].outOfReach | out.hostCasters[i].outOfView) >> l & 1u) continue;
             const glm::vec4 light = lightOf(out, i, group, l);
             for (std::uint32_t k = 0; k < count; ++k) {
                 const float dx = light.x - light.w * ax[k], dy = light.y - light.w * ay[k],

@@ -113,6 +113,7 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     if (cap) {
         drawCap(part, program, state, geometry, silhouettes, group, l);
     } else {
+        glProgramUniform4fv(program.name(), EXTENT_FACES, 6, &silhouettes.extents[l][0][0]);
         gpu::apply(state);
         drawSides(part, silhouettes, l);
     }

@@ -56,15 +56,15 @@ TEST(Metamorphic, M6SkipsChangeNoBit) {
     for (const Subject& subject : subjects()) {
         SCOPED_TRACE(subject.name);
         How how;
-        how.halve = how.skipOutOfReach = false;
+        how.halve = how.skipOutOfReach = how.skipOutOfView = how.endSides = false;
         const FramePixels without = picture(subject, how);
         shadow += shadowed(subject, without);
         for (const bool halve : {false, true}) {
             for (const char* count : {"z-pass", "z-fail"}) {
-                SCOPED_TRACE(std::string(halve ? "halve, " : "range, ") + count);
+                SCOPED_TRACE(std::string(halve ? "halve, " : "range and view, ") + count);
                 how.technique.count = count;
                 how.halve = halve;
-                how.skipOutOfReach = !halve;
+                how.skipOutOfReach = how.skipOutOfView = !halve;
                 const FramePixels with = picture(subject, how);
                 EXPECT_EQ(maskDifferences(without, with), 0u);
                 if (maskDifferences(without, with) == 0) {

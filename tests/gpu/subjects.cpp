@@ -26,6 +26,8 @@ FrameSettings Subject::settings(const How& how) const {
     settings.count = how.technique.count;
     settings.halveEvenComponents = how.halve;
     settings.skipOutOfReach = how.skipOutOfReach;
+    settings.skipOutOfView = how.skipOutOfView;
+    settings.endSides = how.endSides;
     settings.shadows = how.shadows;
     return settings;
 }
