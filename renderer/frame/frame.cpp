@@ -71,7 +71,7 @@ struct FrameRenderer::Impl {
     std::unique_ptr<CountTechnique> count;
     Silhouettes silhouettes;
     LayerBound layerBound{geometry};
-    VolumeRenderer volumes{settings.samples};
+    VolumeRenderer volumes{settings.samples, *technique};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
     AovReader aovs{scene, geometry, materials, surfaces, gbuffer, resolve};
     std::vector<Geometry::Bounds> boxes;  // per instance, in the world, this frame

@@ -25,6 +25,10 @@ inline constexpr std::array kOverlays = {
 // Techniques, the default first.
 inline constexpr std::array kSilhouettes = {
     NameAndMeaning{"compute", "on the device, listed by compute shaders"},
+    NameAndMeaning{"vertex-reject", "edges flagged in a texture, all drawn and rejected in the vertex stage"},
+    NameAndMeaning{"vertex-reject-readback", "the same flags read back and listed on the host"},
+    NameAndMeaning{"degenerate-quad", "quads of no width that the vertex stage opens"},
+    NameAndMeaning{"geometry-shader", "triangles with adjacency"},
     NameAndMeaning{"cpu", "on the host"},
 };
 
