@@ -202,7 +202,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
             }
             if (outputs.wants("silhouette")) {
                 const gpu::Uncounted uncounted;
-                planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, l);
+                planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, group, l);
             }
         }
         diagnostics.endGroup(group);

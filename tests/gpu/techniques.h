@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "gpu/context.h"
+#include "job/names.h"
 #include "scenes.h"
 
 namespace umbrage::test {
@@ -38,7 +39,8 @@ inline void expectRight(const TestScene& test) {
     const Moment moment = evaluate(test.scene, {}, 0.0);
     FramePixels reference;
     for (const char* count : {"z-pass", "z-fail"}) {
-        for (const char* silhouette : {"compute", "cpu"}) {
+        for (const NameAndMeaning& technique : kSilhouettes) {
+            const std::string silhouette(technique.name);
             for (const bool halve : {true, false}) {
                 SCOPED_TRACE(std::string(count) + " " + silhouette + (halve ? " halved" : " whole"));
                 FramePixels pixels = render(test, count, silhouette, halve);
