@@ -69,10 +69,8 @@ void expectAlike(const Subject& subject, const std::string& silhouette, const st
 }
 
 TEST_P(Silhouettes, DrawTheSameQuadsWhateverTheyAreDrawnInto) {
-    for (const char* name : {"noise-spheres", "courtyard"}) {
-        const Subject subject = ours(name, 160, 120);
-        for (const char* count : {"z-pass", "z-fail"}) expectAlike(subject, GetParam(), count, 1);
-    }
+    expectAlike(ours("noise-spheres", 160, 120), GetParam(), "z-fail", 1);
+    expectAlike(ours("courtyard", 160, 120), GetParam(), "z-pass", 1);
 }
 
 TEST_P(Silhouettes, DrawTheSameQuadsOfSoupsForEverySample) {
@@ -102,7 +100,7 @@ TEST(SilhouetteFaults, TheFirstPublishedExtrusionOfDegenerateQuadsIsCaught) {
     EXPECT_GT(hardErrorsOf(subject, "degenerate-quad", Fault::OriginExtrusion), 100u);
 }
 
-TEST(SilhouetteFaults, EdgesThatAreLostOrDecidedAgainAreCaughtInTheTechniquesThatClassifyThem) {
+TEST(SilhouetteFaults, LostEdgesAndWrongFacingsAreCaught) {
     const Subject subject = ours("knight", 160, 120);
     for (const char* silhouette : {"compute", "vertex-reject", "vertex-reject-readback"}) {
         EXPECT_GT(hardErrorsOf(subject, silhouette, Fault::MissingEdge), 0u) << silhouette;
