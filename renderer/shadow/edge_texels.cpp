@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shadow/edge_texels.h"
 
+#include <fmt/format.h>
+
+#include "error.h"
 #include "gpu/state.h"
 
 namespace umbrage {
 
 gpu::Texture::Size texelRows(std::uint32_t texelCount) {
-    return {int(TEXEL_ROW), int((texelCount + TEXEL_ROW - 1) / TEXEL_ROW)};
+    const int rows = int((texelCount + TEXEL_ROW - 1) / TEXEL_ROW);
+    GLint largest[2] = {};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, largest);
+    if (rows > largest[1] / int(VIEWPORT_SCALE)) {
+        throw Error(ErrorKind::Input, "shadow.silhouette",
+                    fmt::format("{} vertices or edges are more than a texture holds here", texelCount),
+                    "choose compute, which has no such limit");
+    }
+    return {int(TEXEL_ROW), rows};
 }
 
 void EdgeTexels::draw(const Geometry& geometry) {

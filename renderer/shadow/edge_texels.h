@@ -7,7 +7,8 @@
 
 namespace umbrage {
 
-/// A texture with that many texels at least, in rows of TEXEL_ROW, and a framebuffer to draw into it and its like.
+/// Of a texture with that many texels at least, in rows of TEXEL_ROW.
+/// @throws Error(Input) if the device draws into none as large
 gpu::Texture::Size texelRows(std::uint32_t texelCount);
 
 class EdgeTexels {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Surdulescu 2003: a quad of no width along every edge, opened in the vertex stage (degenerate.vert.glsl).
-#include "shadow/edge_classes.h"
 #include "shadow/sides.h"
+#include "shadow/silhouette_classed.h"
 
 namespace umbrage {
 namespace {
 
-class DegenerateQuads : public ClassingSilhouettes {
+class DegenerateQuads : public ClassedSilhouettes {
 public:
-    explicit DegenerateQuads(Fault fault) : ClassingSilhouettes(fault), fault_(fault) {}
+    explicit DegenerateQuads(Fault fault) : ClassedSilhouettes(fault), fault_(fault) {}
 
     std::string_view name() const override { return "degenerate-quad"; }
     SideShaders sideShaders() const override { return {"degenerate.vert", "", {planted(fault_)}}; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Silhouettes in the geometry stage, from triangles with adjacency (GPU Gems 3, chapter 11; silhouettes.geom.glsl).
-#include "shadow/edge_classes.h"
 #include "shadow/sides.h"
+#include "shadow/silhouette_classed.h"
 
 namespace umbrage {
 namespace {
@@ -28,9 +28,9 @@ std::vector<std::uint32_t> adjacencyOf(const Geometry& geometry) {
     return adjacency;
 }
 
-class GeometryShader : public ClassingSilhouettes {
+class GeometryShader : public ClassedSilhouettes {
 public:
-    explicit GeometryShader(Fault fault) : ClassingSilhouettes(fault) {}
+    explicit GeometryShader(Fault fault) : ClassedSilhouettes(fault) {}
 
     std::string_view name() const override { return "geometry-shader"; }
     SideShaders sideShaders() const override { return {"adjacency.vert", "silhouettes.geom"}; }

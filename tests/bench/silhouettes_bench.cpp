@@ -94,6 +94,7 @@ int main(int argc, char** argv) {
                 ->Arg(3)
                 ->Arg(12)
                 ->Unit(benchmark::kMillisecond)
+                ->MeasureProcessCPUTime()  // of all threads of a software device
                 ->UseRealTime();
         }
     }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "shadow/edge_classes.h"
+#include "shadow/silhouette_classed.h"
 
 namespace umbrage {
 
-ClassingSilhouettes::ClassingSilhouettes(Fault fault)
+ClassedSilhouettes::ClassedSilhouettes(Fault fault)
     : DeviceSilhouettes(fault), sweep_("edge_classes.comp", {}, {planted(fault)}) {}
 
-void ClassingSilhouettes::sweepEdges(const Geometry& geometry, const LightGroup& group, const SweepOptions& options,
-                                     Silhouettes& out) {
+void ClassedSilhouettes::sweepEdges(const Geometry& geometry, const LightGroup& group, const SweepOptions& options,
+                                    Silhouettes& out) {
     classes_.reserve("classes of edges", geometry.placedEdgeCount() * sizeof(gpu::uvec2));
     bindClasses();
     setSweepUniforms(sweep_, geometry, group, options, out);

@@ -6,12 +6,12 @@
 
 namespace umbrage {
 
-class ClassingSilhouettes : public DeviceSilhouettes {
+class ClassedSilhouettes : public DeviceSilhouettes {
 public:
     bool fillsLists() const final { return false; }
 
 protected:
-    explicit ClassingSilhouettes(Fault fault);
+    explicit ClassedSilhouettes(Fault fault);
 
     void bindClasses() const { classes_.bindStorage(BIND_QUADS); }
 
