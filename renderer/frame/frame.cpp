@@ -72,7 +72,7 @@ struct FrameRenderer::Impl {
     std::unique_ptr<CountTechnique> count;
     Silhouettes silhouettes;
     LayerBound layerBound{geometry};
-    VolumeRenderer volumes{settings.samples};
+    VolumeRenderer volumes{settings.samples, *technique};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
     AovReader aovs{scene, geometry, materials, surfaces, gbuffer, resolve};
     std::vector<Geometry::Bounds> boxes;  // per instance, in the world, this frame
@@ -219,7 +219,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
             }
             if (outputs.wants("silhouette")) {
                 const gpu::Uncounted uncounted;
-                planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, l);
+                planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, group, l);
             }
         }
         diagnostics.endGroup(group);

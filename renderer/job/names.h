@@ -17,6 +17,8 @@ inline constexpr std::array kOverlays = {
     NameAndMeaning{"overdraw", "shadow-volume fragments as a heat map"},
     NameAndMeaning{"silhouettes", "silhouette edges of each light"},
     NameAndMeaning{"volumes", "the shadow volumes themselves, translucent, with their edges"},
+    NameAndMeaning{"extraction", "silhouette edges of the first light in yellow, the volumes of all lights in red"},
+    NameAndMeaning{"toon", "the picture in flat tones with contours drawn in ink"},
     NameAndMeaning{"casters", "whose volumes fill most at each pixel"},
     NameAndMeaning{"tiles", "tiles of 8 x 8 pixels that volumes touch, and in which counts change"},
     NameAndMeaning{"techniques", "the heat maps of two techniques side by side"},
@@ -31,6 +33,10 @@ inline constexpr std::array kProcedures = {
 // Techniques, the default first.
 inline constexpr std::array kSilhouettes = {
     NameAndMeaning{"compute", "on the device, listed by compute shaders"},
+    NameAndMeaning{"vertex-reject", "edges flagged in a texture, all drawn and rejected in the vertex stage"},
+    NameAndMeaning{"vertex-reject-readback", "the same flags read back and listed on the host"},
+    NameAndMeaning{"degenerate-quad", "quads of no width that the vertex stage opens"},
+    NameAndMeaning{"geometry-shader", "triangles with adjacency"},
     NameAndMeaning{"cpu", "on the host"},
 };
 

@@ -17,21 +17,8 @@ layout(location = 4) flat out uint caster;
 
 vec4 nearCorner(uint instance, vec3 p) { return clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0); }
 
-layout(location = EXTENT_FACES) uniform vec4 extentFaces[6];
-
 /// The projection of p from the light to infinity.
 vec4 farCorner(uint instance, vec3 p, vec4 light) {
     precise vec3 direction = p * light.w - light.xyz;
     return clipFromView(viewFromModel(instance, vec4(direction, 0.0)), 0.0);
-}
-
-/// Where the side ends: there, or where all that the light shines on lies behind (T2).
-/// @param end  0 for infinity, or 1 + a face of the light's extent
-vec4 sideEnd(uint instance, vec3 p, vec4 light, uint end) {
-    if (end == 0u) return farCorner(instance, p, light);
-    precise vec3 direction = p * light.w - light.xyz;
-    vec3 inView = viewFromModel(instance, vec4(p, 1.0)), away = viewFromModel(instance, vec4(direction, 0.0));
-    vec4 face = extentFaces[end - 1u];
-    precise vec3 q = inView + (face.w - dot(face.xyz, inView)) / dot(face.xyz, away) * away;
-    return clipFromView(q, 1.0);
 }

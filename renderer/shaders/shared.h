@@ -55,11 +55,20 @@ using mat4 = glm::mat4;
 // So does the count of what volumes fill.
 #define BIND_FILL 13
 
+// So does the geometry stage that makes side quads.
+#define BIND_ADJACENCY 14
+
 // So does the bound on layers (T6).
 #define BIND_LAYER_CELLS 13
 #define BIND_LAYER_BOUNDS 14
 #define LAYER_GRID 32u  // cells along a face; a power of two
 #define LAYER_CELLS (6u * LAYER_GRID * LAYER_GRID)
+
+// Texture units of the vertex stage, apart from those of what is drawn into.
+#define UNIT_EDGE_FLAGS 8
+#define UNIT_IN_VIEW 9
+#define UNIT_IN_MODEL 10
+#define TEXEL_ROW 4096u  // texels in a row of vertices or edges
 
 // Uniform block bindings.
 #define BIND_VIEW 0
@@ -115,6 +124,7 @@ struct Edge {
 #define FAULT_FACING_TWICE 2
 #define FAULT_WRONG_FACING 4
 #define FAULT_MISSING_EDGE 5
+#define FAULT_ORIGIN_EXTRUSION 7
 
 // The lists of side quads a light has.
 #define LIST_HALVED 0  // even components: one quad for two crossings, counted by z-pass

@@ -92,7 +92,8 @@ Geometry::Geometry(const Scene& scene, const Moment& first, bool worldFloats)
         range.triangleCount = mesh.triangleCount();
         range.firstEdge = std::uint32_t(edges_.size());
         range.edgeCount = std::uint32_t(topology.edges.size());
-        vertexCount_ += std::uint32_t(mesh.positions.size());
+        range.vertexCount = std::uint32_t(mesh.positions.size());
+        vertexCount_ += range.vertexCount;
         range.boundsMin = glm::vec3(std::numeric_limits<float>::max());
         range.boundsMax = -range.boundsMin;
         for (const glm::vec3& p : mesh.positions) {

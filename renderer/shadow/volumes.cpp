@@ -69,25 +69,30 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
     }
 }
 
-VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeOn, int samples) {
-    const auto variant = [&](const char* fragment, std::vector<std::string> defines) {
-        if (edgeOn) defines.push_back("EDGE_ON 1");
-        if (edgeOn && std::string_view(vertex) == "cap.vert") defines.push_back("PUSHED_BACK 1");
-        return gpu::Program(vertex, fragment, std::move(defines));
+VolumeRenderer::Programs VolumeRenderer::programs(const SideShaders& shaders, bool edgeOn, int samples) {
+    const auto variant = [&](const char* fragment, gpu::Program::Defines defines) {
+        defines.insert(defines.end(), shaders.defines.begin(), shaders.defines.end());
+        return gpu::Program(shaders.vertex, fragment, std::move(defines), shaders.geometry);
     };
-    return {edgeOn ? variant("count.frag", {"STENCIL_ONLY 1"}) : gpu::Program(vertex),
-            variant("count.frag", {"SIGNED 1"}),
-            variant("tally.frag", {"SAMPLES " + std::to_string(samples)}),
-            variant("tally.frag", {"TALLY 1", "SAMPLES " + std::to_string(samples)}),
-            gpu::Program(vertex, "attribution.frag", {"TALLY 1"}),
-            gpu::Program(vertex, "hull.frag")};
+    const auto held = [&](const char* fragment, gpu::Program::Defines defines) {
+        if (edgeOn) defines.push_back("EDGE_ON 1");
+        if (edgeOn && std::string_view(shaders.vertex) == "cap.vert") defines.push_back("PUSHED_BACK 1");
+        return variant(fragment, std::move(defines));
+    };
+    return {edgeOn ? held("count.frag", {"STENCIL_ONLY 1"}) : variant("", {}),
+            held("count.frag", {"SIGNED 1"}),
+            held("tally.frag", {"SAMPLES " + std::to_string(samples)}),
+            held("tally.frag", {"TALLY 1", "SAMPLES " + std::to_string(samples)}),
+            variant("attribution.frag", {"TALLY 1"}),
+            variant("hull.frag", {})};
 }
 
-VolumeRenderer::VolumeRenderer(int samples)
-    : sides_(programs("quad.vert", false, samples)),
-      edgeOnSides_(programs("quad.vert", true, samples)),
-      caps_(programs("cap.vert", false, samples)),
-      edgeOnCaps_(programs("cap.vert", true, samples)) {}
+VolumeRenderer::VolumeRenderer(int samples, SilhouetteTechnique& technique)
+    : technique_(technique),
+      sides_(programs(technique.sideShaders(), false, samples)),
+      edgeOnSides_(programs(technique.sideShaders(), true, samples)),
+      caps_(programs({"cap.vert"}, false, samples)),
+      edgeOnCaps_(programs({"cap.vert"}, true, samples)) {}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
@@ -108,34 +113,15 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     }
     geometry.bind();
     silhouettes.bind();
-    vertexArray_.bind();
     program.use();
     if (cap) {
         drawCap(part, program, state, geometry, silhouettes, group, l);
     } else {
         glProgramUniform4fv(program.name(), EXTENT_FACES, 6, &silhouettes.extents[l][0][0]);
         gpu::apply(state);
-        drawSides(part, silhouettes, l);
+        ++gpu::activity().draws;
+        technique_.drawSides({geometry, silhouettes, group, l, part.what}, program);
     }
-}
-
-void VolumeRenderer::drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l) {
-    const std::size_t indexCount = 6 * std::size_t(silhouettes.capacity);
-    if (pattern_.sizeBytes() < indexCount * sizeof(std::uint32_t)) {
-        std::vector<std::uint32_t> indices;
-        indices.reserve(indexCount);
-        for (std::uint32_t q = 0; q < silhouettes.capacity; ++q) {
-            for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(4 * q + corner);
-        }
-        pattern_ = gpu::Buffer::of("quad pattern", std::span<const std::uint32_t>(indices));
-        vertexArray_.elements(pattern_);
-        vertexArray_.bind();
-    }
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, silhouettes.summaries.name());
-    const std::size_t offset =
-        l * sizeof(gpu::LightSummary) + offsetof(gpu::LightSummary, lists) + part.what * sizeof(gpu::DrawCommand);
-    ++gpu::activity().draws;
-    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
 }
 
 void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state,
@@ -162,6 +148,7 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
         last = i;
     }
     gpu::apply(state);
+    noVertices_.bind();
     ++gpu::activity().draws;
     glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), GLsizei(firsts.size()));
 }

@@ -28,7 +28,8 @@ struct VolumePart {
 class VolumeRenderer {
 public:
     /// @param samples  of what is drawn into
-    explicit VolumeRenderer(int samples);
+    /// @param technique  that draws the sides; must outlive it
+    VolumeRenderer(int samples, SilhouetteTechnique& technique);
 
     enum class Into {
         Stencil,  // crossings, signed, into the stencil buffer (modulo 256)
@@ -49,15 +50,14 @@ private:
         gpu::Program stencil, counter, fill, tally, casters, hull;
         const gpu::Program& of(Into into) const;
     };
-    static Programs programs(const char* vertex, bool edgeOn, int samples);
-    void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);
+    static Programs programs(const SideShaders& shaders, bool edgeOn, int samples);
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
+    SilhouetteTechnique& technique_;
     Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
-    gpu::VertexArray vertexArray_{"volumes"};
+    gpu::VertexArray noVertices_{"caps of volumes"};
     glm::vec4 hullColor_{1.0f};
-    gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
 };
 
 }  // namespace umbrage
