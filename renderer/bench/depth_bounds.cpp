@@ -10,7 +10,7 @@ using glm::dvec3;
 using glm::dvec4;
 using Outline = std::vector<dvec4>;  // homogeneous, in the eye's space
 
-constexpr double kMargin = 1e-9;  // far more than rounding, far less than anyone sees
+constexpr double kMargin = 0x1p-20;  // what the depth buffer and interpolation round (docs/rules.md, T9)
 
 Outline clipped(const Outline& outline, const dvec4& plane) {
     Outline kept;

@@ -25,8 +25,11 @@ std::vector<TileCaster> tileCasters(const Scene& scene, const Moment& moment, co
                                     const Truth& truth, const Eye& eye, std::span<const Located<std::string>> globs,
                                     Weights weights);
 
-/// 1/metre along the view axis; 0 where nothing is seen, or 1/zfar.
+/// What each pixel sees, 1/metre along the view axis; 0 where nothing is seen, or 1/zfar. The device snaps corners to
+/// its grid, so that on outlines it may have missed a caster that lies at a pixel's very centre; there it is put back,
+/// else its light cap would be before what is seen.
 /// @param pixels  rendered with FrameOutputs::geometry
-std::vector<double> inverseDepthsOf(const FramePixels& pixels, const Eye& eye);
+std::vector<double> inverseDepthsOf(const FramePixels& pixels, std::span<const TileCaster> casters, const Eye& eye,
+                                    const TileView& view);
 
 }  // namespace umbrage
