@@ -82,8 +82,10 @@ RgbPicture drawProcessed(const std::vector<ProcessedPanel>& panels, const Displa
         display.apply(displayed);
         return RgbPicture{panel.width, panel.height, rgbBytes(displayed)};
     };
-    std::vector<RgbPicture> shown{beauty(first)};
-    for (const ProcessedPanel& panel : panels) {
+    std::vector<RgbPicture> shown;
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const ProcessedPanel& panel = panels[i];
+        if (i == 0 || panel.radiance != panels[i - 1].radiance) shown.push_back(beauty(panel));
         shown.push_back(
             drawOverlay(panel.width, panel.height, panel.processed, beauty(panel).rgb, {panel.title, scale}));
     }
@@ -99,13 +101,15 @@ RgbPicture drawProcessed(const std::vector<ProcessedPanel>& panels, const Displa
 ProcessedPanel processedPanel(TileBench& bench, std::string_view method, int frame) {
     const TileFrame counted = bench.frame(frame, true);
     const TileCounts counts = bench.count(counted, true);
-    ProcessedPanel panel{fmt::format("{} {}", bench.scene().sequence.name, method), counted.view.width(),
-                         counted.view.height(), std::vector<float>(counted.inverseDepths.size()),
-                         counted.pixels.radiance};
+    ProcessedPanel panel{"", counted.view.width(), counted.view.height(),
+                         std::vector<float>(counted.inverseDepths.size()), counted.pixels.radiance};
+    std::uint64_t pixels = 0;
     for (std::size_t m = 0; m < counts.processed.size(); ++m) {
-        if (kTileMethods[m].name == method)
-            panel.processed.assign(counts.processed[m].begin(), counts.processed[m].end());
+        if (kTileMethods[m].name != method) continue;
+        panel.processed.assign(counts.processed[m].begin(), counts.processed[m].end());
+        pixels = counts.methods[m].pixels;
     }
+    panel.title = fmt::format("{} {}: {:.0f} k", bench.scene().sequence.name, method, 1e-3 * double(pixels));
     return panel;
 }
 

@@ -11,13 +11,13 @@ namespace umbrage {
 
 /// Of one sequence and method at a frame.
 struct ProcessedPanel {
-    std::string title;
+    std::string title;  // with how many pixels are processed
     int width = 0, height = 0;
     std::vector<float> processed;  // how often, at each pixel
     std::vector<float> radiance;   // of the picture below, RGBA
 };
 
-/// The picture itself, then the panels, on one scale; left to right and down.
+/// The panels on one scale, left to right and down, each new picture in front of those of its own.
 RgbPicture drawProcessed(const std::vector<ProcessedPanel>& panels, const DisplayTransform& display);
 
 /// @param method  of kTileMethods
