@@ -37,6 +37,11 @@ std::string jsonOf(const BenchResult& result, const Header& header) {
                                    {"driver", header.driver},
                                    {"measurements", nlohmann::ordered_json::array()}};
     for (const BenchTable& table : result.tables) json["measurements"].push_back(table.json());
+    json["plots"] = nlohmann::ordered_json::object();
+    for (const auto& [name, plot] : result.plots) {
+        nlohmann::ordered_json& series = json["plots"][name] = {{"x", plot.xLabel}, {"y", plot.yLabel}};
+        for (const PlotSeries& one : plot.series) series["series"][one.name] = one.points;
+    }
     return json.dump(2) + "\n";
 }
 
@@ -81,7 +86,7 @@ int runBench(const BenchCommandOptions& options, bool quiet) {
         Progress progress(options.progress, quiet);
         progress.note(fmt::format("device: {} ({})", device.renderer, device.version));
         Watch watch(progress);
-        result = runBench(bench, context, {.allowExternalFiles = options.allowExternalFiles}, watch, interrupted);
+        result = runBench(bench, context, options.allowExternalFiles, watch, interrupted);
     }
     std::exception_ptr failed;  // the tables are printed even where a file cannot be written
     try {
@@ -94,8 +99,10 @@ int runBench(const BenchCommandOptions& options, bool quiet) {
         fmt::print("{}{}", separator, table.text());
         separator = "\n";
     }
+    for (const std::string& wrong : result.wrong) fmt::print("wrong: {}\n", wrong);
     if (failed) std::rethrow_exception(failed);
-    return interrupted ? interruptExitCode() : kOk;
+    if (interrupted) return interruptExitCode();
+    return result.wrong.empty() ? kOk : kFramesFailed;
 }
 
 }  // namespace umbrage

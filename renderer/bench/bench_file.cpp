@@ -18,6 +18,18 @@ namespace {
 
 constexpr const char* kTitle = "bench";
 
+template <class T>
+Type<std::vector<T>> notEmpty(const Type<std::vector<T>>& list) {
+    Type<std::vector<T>> type = list;
+    type.schema["minItems"] = 1;
+    type.read = [read = list.read](const YamlNode& node, const std::string& name) {
+        std::vector<T> values = read(node, name);
+        if (values.empty()) refuse(node, name + " is empty");
+        return values;
+    };
+    return type;
+}
+
 Type<std::vector<std::string>> measurements() {
     return listOf(choice({"times", "tiles"}), "a list of measurements");
 }
@@ -117,8 +129,8 @@ Type<std::vector<BenchPicture>> pictures() {
                       {
                           field<BenchPicture>("name", fileStem(), &BenchPicture::name, "Of the file").required(),
                           field<BenchPicture>("frame", integer(), &BenchPicture::frame, "The frame"),
-                          field<BenchPicture>("panels", listOf(panel, "a list of panels"), &BenchPicture::panels,
-                                              "What stands side by side")
+                          field<BenchPicture>("panels", notEmpty(listOf(panel, "a list of panels")),
+                                              &BenchPicture::panels, "What stands side by side")
                               .required(),
                       }),
                   "a list of pictures");
@@ -168,7 +180,8 @@ Type<Bench> benchType() {
             field<Bench>("measure", measurements(), &Bench::measure,
                          "times: of frames and passes; tiles: what a rasteriser that culls tiles of 8 x 8 pixels "
                          "processes (Laine 2005)"),
-            field<Bench>("sequences", listOf(sequence(), "a list of sequences"), &Bench::sequences, "What is rendered")
+            field<Bench>("sequences", notEmpty(listOf(sequence(), "a list of sequences")), &Bench::sequences,
+                         "What is rendered")
                 .required(),
             field<Bench>("techniques", techniques(), &Bench::techniques,
                          "For times: silhouette:count pairs that are compared")

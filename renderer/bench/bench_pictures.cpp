@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error.h"
 #include "image/overlay.h"
 
 namespace umbrage {
@@ -113,18 +114,22 @@ ProcessedPanel processedPanel(TileBench& bench, std::string_view method, int fra
     return panel;
 }
 
-Plot updateCurve(TileBench& bench, int frame) {
-    TileFrame counted = bench.frame(frame);
+Plot updateCurve(TileBench& bench, const BenchCurve& curve) {
+    TileFrame counted = bench.frame(curve.frame);
+    if (counted.lights.empty()) {
+        throw Error(ErrorKind::Input, curve.sequence.place.text(),
+                    fmt::format("no light is on in frame {}", curve.frame));
+    }
     const TileView& view = counted.view;
     std::vector<TileVolume> volumes;
     for (TileCaster& caster : counted.casters) {
         for (CastingTriangle& triangle : caster.triangles)
             triangle.mayBeUnseen = true;  // light caps at their own depth
         volumes.push_back(
-            tileVolume(caster, counted.lights.at(0), bench.scene().sequence.splitPlane, counted.eye, view));
+            tileVolume(caster, counted.lights.front(), bench.scene().sequence.splitPlane, counted.eye, view));
     }
     const Met met = mostMet(volumes, view);
-    Plot plot{fmt::format("{} frame {}, pixel ({}, {})", bench.scene().sequence.name, frame, met.x, met.y),
+    Plot plot{fmt::format("{} frame {}, pixel ({}, {})", bench.scene().sequence.name, curve.frame, met.x, met.y),
               "depth of what is seen (metres)",
               "count updates",
               {{"z-pass", {}}, {"z-fail", {}}, {"split plane", {}}}};

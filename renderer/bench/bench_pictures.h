@@ -23,6 +23,7 @@ RgbPicture drawProcessed(const std::vector<ProcessedPanel>& panels, const Displa
 /// @param method  of kTileMethods
 ProcessedPanel processedPanel(TileBench& bench, std::string_view method, int frame);
 
-Plot updateCurve(TileBench& bench, int frame);
+/// @throws Error(Input) where no light is on
+Plot updateCurve(TileBench& bench, const BenchCurve& curve);
 
 }  // namespace umbrage

@@ -12,6 +12,7 @@
 #include "bench/bench_scene.h"
 #include "bench/bench_tiles.h"
 #include "bench/bench_times.h"
+#include "error.h"
 
 namespace umbrage {
 namespace {
@@ -29,6 +30,19 @@ BenchScenes measured(const Bench& bench, const SceneByName& scenes, const char* 
     return wanted;
 }
 
+/// @throws Error(Input) where panels do not fit side by side
+void checkSizes(const BenchPicture& picture, const SceneByName& scenes) {
+    const auto sizeOf = [&](const BenchPicture::Panel& panel) {
+        const Job::ImageSettings& image = scenes.at(panel.sequence.value)->job.image;
+        return std::pair(image.width, image.height);
+    };
+    for (const BenchPicture::Panel& panel : picture.panels) {
+        if (sizeOf(panel) == sizeOf(picture.panels.front())) continue;
+        throw Error(ErrorKind::Input, panel.sequence.place.text(), "this panel has another size than the first",
+                    "give the bench a size: [WIDTH, HEIGHT]");
+    }
+}
+
 /// Pictures and curves.
 void draw(const Bench& bench, const SceneByName& scenes, const gpu::Context& context, int threads,
           BenchObserver& observer, const std::atomic<bool>& interrupted, BenchResult& result) {
@@ -42,6 +56,7 @@ void draw(const Bench& bench, const SceneByName& scenes, const gpu::Context& con
     };
     for (const BenchPicture& picture : bench.pictures) {
         if (interrupted) return;
+        checkSizes(picture, scenes);
         std::vector<ProcessedPanel> panels;
         for (const BenchPicture::Panel& panel : picture.panels) {
             panels.push_back(
@@ -55,20 +70,20 @@ void draw(const Bench& bench, const SceneByName& scenes, const gpu::Context& con
     }
     for (const BenchCurve& curve : bench.curves) {
         if (interrupted) return;
-        result.plots.emplace_back(curve.name, updateCurve(benchOf(curve.sequence.value), curve.frame));
+        result.plots.emplace_back(curve.name, updateCurve(benchOf(curve.sequence.value), curve));
         observer.advanced(fmt::format("curve {}", curve.name));
     }
 }
 
 }  // namespace
 
-BenchResult runBench(const Bench& bench, const gpu::Context& context, const BenchOptions& options,
-                     BenchObserver& observer, const std::atomic<bool>& interrupted) {
-    const int threads = options.threads > 0 ? options.threads : std::max(1, int(std::thread::hardware_concurrency()));
+BenchResult runBench(const Bench& bench, const gpu::Context& context, bool allowExternalFiles, BenchObserver& observer,
+                     const std::atomic<bool>& interrupted) {
+    const int threads = std::max(1, int(std::thread::hardware_concurrency()));
     SceneByName scenes;
     for (const BenchSequence& sequence : bench.sequences) {
         std::unique_ptr<BenchScene>& scene = scenes[sequence.name];
-        scene = std::make_unique<BenchScene>(bench, sequence, options.allowExternalFiles);
+        scene = std::make_unique<BenchScene>(bench, sequence, allowExternalFiles);
         for (const std::string& note : scene->composition.scene.notes) observer.note(sequence.name + ": " + note);
     }
     BenchResult result;

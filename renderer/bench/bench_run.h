@@ -30,16 +30,12 @@ struct BenchResult {
     std::vector<BenchTable> tables;  // one a measurement
     std::vector<std::pair<std::string, Plot>> plots;
     std::vector<std::pair<std::string, RgbPicture>> pictures;
-};
-
-struct BenchOptions {
-    int threads = 0;  // of the tile counter; 0: as many as processors
-    bool allowExternalFiles = false;
+    std::vector<std::string> wrong;  // what must be alike and is not
 };
 
 /// @return  what there is, when interrupted
 /// @throws Error
-BenchResult runBench(const Bench& bench, const gpu::Context& context, const BenchOptions& options,
-                     BenchObserver& observer, const std::atomic<bool>& interrupted);
+BenchResult runBench(const Bench& bench, const gpu::Context& context, bool allowExternalFiles, BenchObserver& observer,
+                     const std::atomic<bool>& interrupted);
 
 }  // namespace umbrage

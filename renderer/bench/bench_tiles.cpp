@@ -27,12 +27,12 @@ std::vector<BenchColumn> columns() {
             {"tiles.ratio", "tiles/SPSV", "tiles not culled for each of SPSV", 2},
             {"pixels.ratio", "pixels/SPSV", "", 2},
             {"updates.ratio", "updates/SPSV", "", 2},
-            {"printed.tiles.thousand", "printed tiles", "not culled, in the paper's table", 1},
-            {"printed.pixels.thousand", "pixels", "in the paper", 1},
-            {"printed.updates.thousand", "updates", "in the paper", 1},
-            {"printed.tiles.ratio", "tiles/SPSV", "in the paper", 2},
-            {"printed.pixels.ratio", "pixels/SPSV", "in the paper", 2},
-            {"printed.updates.ratio", "updates/SPSV", "in the paper, from its counts", 2},
+            {"printed.tiles.thousand", "paper: not culled", "in the paper's table", 1},
+            {"printed.pixels.thousand", "paper: pixels", "in the paper", 1},
+            {"printed.updates.thousand", "paper: updates", "in the paper", 1},
+            {"printed.tiles.ratio", "paper: tiles/SPSV", "in the paper", 2},
+            {"printed.pixels.ratio", "paper: pixels/SPSV", "in the paper", 2},
+            {"printed.updates.ratio", "paper: updates/SPSV", "in the paper, from its counts", 2},
             {"different", "differ", "pixels, of all frames and casters, whose count is not that of ZP+DB", 0}};
 }
 
@@ -180,6 +180,11 @@ void measureTiles(const BenchScenes& scenes, const gpu::Context& context, int th
             observer.advanced(fmt::format("{} frame {}", scene.sequence.name, frame));
         }
         addRows(scene.sequence, sums, scene.frames.size(), table);
+        for (std::size_t m = 0; m < kTileMethods.size(); ++m) {
+            if (sums[m].different == 0) continue;
+            result.wrong.push_back(fmt::format("{}: {} counts {} pixels otherwise than {}", scene.sequence.name,
+                                               kTileMethods[m].name, sums[m].different, kTileMethods[0].name));
+        }
         table.remarks.push_back(saving(scene.sequence, sums));
         result.plots.emplace_back("tiles-" + scene.sequence.name, Plot{scene.sequence.name + ": pixels processed",
                                                                        "frame", "million", std::move(series)});

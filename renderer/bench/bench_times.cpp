@@ -29,7 +29,7 @@ class Contender {
 public:
     /// @param technique  null: without shadows
     Contender(const BenchScene& scene, const Technique* technique, const gpu::Context& context)
-        : scene_(scene), technique_(technique ? technique->name() : "") {
+        : scene_(scene), technique_(technique ? technique->name() : "without shadows") {
         FrameSettings settings = settingsOf(scene.job, scene.composition);
         settings.shadows = technique != nullptr;
         settings.profile = false;
@@ -146,8 +146,7 @@ BenchTable measureTimes(const Bench& bench, const BenchScenes& scenes, const gpu
         if (techniques.empty()) techniques = {techniqueOf(scene.job)};
         const auto enter = [&](const Technique* technique) {
             contenders.push_back(std::make_unique<Contender>(scene, technique, context));
-            observer.advanced(
-                fmt::format("{} {}: set up", scene.sequence.name, technique ? technique->name() : "bare"));
+            observer.advanced(fmt::format("{} {}: set up", scene.sequence.name, contenders.back()->technique()));
             return contenders.back().get();
         };
         const Contender* bare = enter(nullptr);
