@@ -73,4 +73,10 @@ double frameSeconds(const Job& job, int frame) {
     return double(frame) / job.time.framesPerSecond;
 }
 
+PlacedMoment placedMoment(const Job& job, const Composition& composition, int frame) {
+    Moment moment = evaluate(composition.scene, composition.animations, frameSeconds(job, frame));
+    const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
+    return {std::move(moment), camera};
+}
+
 }  // namespace umbrage

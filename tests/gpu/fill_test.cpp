@@ -27,15 +27,6 @@ Subject manifold(Subject subject) {
     return subject;
 }
 
-/// With nothing missing from the depth buffer.
-Subject solid(Subject subject) {
-    for (Material& material : subject.scene.materials) {
-        material.doubleSided = true;
-        material.alphaMode = AlphaMode::Opaque;
-    }
-    return subject;
-}
-
 class FillBy : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Techniques, FillBy, testing::Values("z-pass", "z-fail"),
                          [](const auto& test) { return std::string(test.param).replace(1, 1, ""); });

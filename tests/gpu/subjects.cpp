@@ -46,6 +46,14 @@ Subject ours(const std::string& name, int width, int height) {
     return subject;
 }
 
+Subject solid(Subject subject) {
+    for (Material& material : subject.scene.materials) {
+        material.doubleSided = true;
+        material.alphaMode = AlphaMode::Opaque;
+    }
+    return subject;
+}
+
 const std::vector<Subject>& subjects() {
     static const std::vector<Subject> all = [] {
         std::vector<Subject> made;

@@ -39,6 +39,9 @@ struct Subject {
 /// A sequence of ours, half a second in.
 Subject ours(const std::string& name, int width, int height);
 
+/// With nothing missing from the depth buffer.
+Subject solid(Subject subject);
+
 /// Random scenes (more with UMBRAGE_RANDOM_SCENES=number, others with UMBRAGE_RANDOM_SEED=first) and two of ours.
 const std::vector<Subject>& subjects();
 
