@@ -78,6 +78,7 @@ struct FrameRenderer::Impl {
     std::unique_ptr<Masks> masks;         // made anew when the number of groups of lights grows
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
     Eye eye;                           // of the last frame
+    std::vector<ShadowLight> shadowLights;
     std::vector<std::size_t> shining;  // its lights that are on, as positions in the moment's list
 
     Impl(const Scene& s, const Moment& first, const FrameSettings& wanted, const gpu::Context& context)
@@ -114,7 +115,7 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
     viewBuffer.bindUniform(BIND_VIEW);
 
     std::vector<gpu::LightData> data;
-    std::vector<ShadowLight> shadowLights;
+    shadowLights.clear();
     for (const PlacedLight* light : lights) {
         data.push_back(lightData(*light, eye));
         shadowLights.push_back(shadowLight(*light));
@@ -146,10 +147,11 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     boxes = worldBounds(geometry, modelBounds);
     const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
     counts.holed = surfaces.holed();
+    count->begin({geometry, modelBounds, eye, shadowLights});
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         if (nearer[i]) silhouettes.hostCasters[i].missing = 1;
-        whole[i] = counts.holed[i] || silhouettes.hostCasters[i].missing != 0;
+        whole[i] = counts.holed[i] || silhouettes.hostCasters[i].missing != 0 || count->countsWhole(std::uint32_t(i));
     }
     geometry.setWhole(whole);
     return counts;
@@ -172,6 +174,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
     const CountSettings countSettings = findCasters(halve);
+    const SweepOptions sweepOptions{halve, outputs.figures, count->start() == VolumePart::Start::Eye};
     masks->clear();
     // Also without any light there is one sweep: it sets up the triangles' planes.
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
@@ -183,7 +186,7 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
         markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
-        findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures}, silhouettes);
+        findSilhouettes(*technique, geometry, group, byFail, sweepOptions, silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
@@ -270,6 +273,8 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
                                   int frame, Statistics& statistics, const PlacedMoment* before) {
     Impl& r = *impl_;
     r.eye = makeEye(camera, r.settings.width, r.settings.height);
+    r.eye.ledge = r.count->ledge();
+    glDepthRangef(0.0f, float(1.0 - r.eye.ledge));
     r.shining = lightsThatShine(moment);
     const Eye& eye = r.eye;
     std::vector<const PlacedLight*> lights;

@@ -31,6 +31,7 @@ inline constexpr std::array kSilhouettes = {
 inline constexpr std::array kCounts = {
     NameAndMeaning{"z-pass", "from the eye, with a constant for the volumes that hold it"},
     NameAndMeaning{"z-fail", "from infinity, with caps"},
+    NameAndMeaning{"near-cap", "from a plane just before the near plane, with caps there"},
 };
 
 inline constexpr std::array kSkips = {

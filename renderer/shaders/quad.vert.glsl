@@ -6,38 +6,13 @@
 // variant: TALLY 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#include "corners.glsl"
-
-layout(std430, binding = BIND_EDGES) readonly buffer Edges { Edge edges[]; };
-layout(std430, binding = BIND_EDGE_CHUNKS) readonly buffer EdgeChunks { uint edgeChunks[]; };
-layout(std430, binding = BIND_QUADS) readonly buffer Quads { uint quads[]; };
-layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { vec4 lightsInModel[]; };
-
-layout(location = 0) uniform uint lightIndex;
-layout(location = 1) uniform uint totalLights;
+#include "sides.glsl"
 
 void main() {
-    uint entry = quads[uint(gl_VertexID) >> 2u];
-    uint placed = entry >> 1u;
-    uint instance = edgeChunks[placed >> CHUNK_SHIFT];
-    Edge edge = edges[instances[instance].edgeBase + placed - instances[instance].placedEdgeBase];
-    vec4 light = lightsInModel[instance * totalLights + lightIndex];
-    // m > 0: the light-oriented surface runs from a to b, so outward is (a, a', b', b); m < 0: (a, b, b', a').
-    bool reversed = ((entry ^ instances[instance].flags) & INSTANCE_MIRRORED) != 0u;
+    Side side = sideAt(uint(gl_VertexID) >> 2u);
     uint corner = uint(gl_VertexID) & 3u;
-    bool far = corner == 2u || corner == (reversed ? 3u : 1u);
-    bool second = corner == 2u || corner == (reversed ? 1u : 3u);
-    uint vertexBase = instances[instance].vertexBase;
-    vec3 p = positionOf(vertexBase + (second ? edge.b : edge.a));
-    gl_Position = far ? farCorner(instance, p, light) : nearCorner(instance, p);
-#ifdef TALLY
-    caster = instance;
-#endif
-#ifdef EDGE_ON
-    vec3 a = positionOf(vertexBase + edge.a), b = positionOf(vertexBase + edge.b);
-    nearA = nearCorner(instance, a);
-    farA = farCorner(instance, a, light);
-    nearB = nearCorner(instance, b);
-    farB = farCorner(instance, b, light);
-#endif
+    bool far = corner == 2u || corner == (side.reversed ? 3u : 1u);
+    bool second = corner == 2u || corner == (side.reversed ? 1u : 3u);
+    vec3 p = second ? side.b : side.a;
+    gl_Position = far ? farCorner(side.instance, p, side.light) : nearCorner(side.instance, p);
 }

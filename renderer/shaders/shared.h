@@ -139,6 +139,18 @@ struct Edge {
 #define CAP_EDGE_ON 1
 #define CAP_FAR 2
 #define CAP_DARK 3
+#define CAP_SECTION 4  // see near_cap.vert.glsl
+
+// Share of the depth range before the near plane, in frames whose counts begin there (Kilgard 2001: the ledge). A
+// half, because scaling floats by a power of two rounds nothing.
+#define LEDGE 0.5
+
+// What a triangle's volume does at the plane where near-cap begins to count (Kilgard's cases): none of the rays through
+// its corners meets it, all do, or some.
+#define NEAR_CAP_TRIVIAL 0
+#define NEAR_CAP_EASY 1
+#define NEAR_CAP_HARD 2
+#define NEAR_CAP_CASES 3
 
 // A command of glDrawElementsIndirect.
 struct DrawCommand {
@@ -167,6 +179,7 @@ struct CasterState {
 // Per instance: the fragments of a light's volumes, by kind, facing, and the depth test.
 struct CasterFill {
     uint passedFront[FILL_KINDS], passedBack[FILL_KINDS], failedFront[FILL_KINDS], failedBack[FILL_KINDS];
+    uint nearCaps[NEAR_CAP_CASES];  // triangles
 };
 
 // What the silhouette passes say about one light.
@@ -198,7 +211,9 @@ struct ViewData {
     uint lightCount;
     vec2 pixelSize;    // in NDC
     float emptyDepth;  // where nothing is seen: 0, or that of a perspective camera's zfar (T12)
-    float unusedView;
+    float capDistance;  // of the plane from which near-cap counts, along the view axis (shadow/ledge.h)
+    float sceneDepths;  // what is seen has depths from 0 to this: 1 without a ledge
+    float unusedView1, unusedView2, unusedView3;
 };
 
 struct MaterialData {

@@ -9,10 +9,12 @@ namespace umbrage {
 // One line a technique; each is in a file of its name.
 std::unique_ptr<CountTechnique> makeZPass();
 std::unique_ptr<CountTechnique> makeZFail();
+std::unique_ptr<CountTechnique> makeNearCap();
 
 std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name) {
     if (name == "z-pass") return makeZPass();
     if (name == "z-fail") return makeZFail();
+    if (name == "near-cap") return makeNearCap();
     throw std::logic_error("no such count technique: " + std::string(name));
 }
 

@@ -10,6 +10,8 @@ namespace {
 using Rule = VolumePart::Rule;
 using Kind = VolumePart::Kind;
 
+constexpr GLsizei kCutVertices = 9;  // of a side or cap that is cut: up to five corners
+
 gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) {
     using Into = VolumeRenderer::Into;
     gpu::RasterState state;
@@ -70,15 +72,16 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
 }
 
 VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeOn, int samples) {
+    const bool caps = std::string_view(vertex).find("cap") != std::string_view::npos;
     const auto variant = [&](const char* fragment, std::vector<std::string> defines) {
         if (edgeOn) defines.push_back("EDGE_ON 1");
-        if (edgeOn && std::string_view(vertex) == "cap.vert") defines.push_back("PUSHED_BACK 1");
+        if (edgeOn && caps) defines.push_back("PUSHED_BACK 1");
         return gpu::Program(vertex, fragment, std::move(defines));
     };
     return {edgeOn ? variant("count.frag", {"STENCIL_ONLY 1"}) : gpu::Program(vertex),
             variant("count.frag", {"SIGNED 1"}),
             variant("tally.frag", {"SAMPLES " + std::to_string(samples)}),
-            variant("tally.frag", {"TALLY 1", "SAMPLES " + std::to_string(samples)}),
+            variant("tally.frag", {"TALLY 1", "CASES 1", "SAMPLES " + std::to_string(samples)}),
             gpu::Program(vertex, "attribution.frag", {"TALLY 1"}),
             gpu::Program(vertex, "hull.frag")};
 }
@@ -87,15 +90,51 @@ VolumeRenderer::VolumeRenderer(int samples)
     : sides_(programs("quad.vert", false, samples)),
       edgeOnSides_(programs("quad.vert", true, samples)),
       caps_(programs("cap.vert", false, samples)),
-      edgeOnCaps_(programs("cap.vert", true, samples)) {}
+      edgeOnCaps_(programs("cap.vert", true, samples)),
+      cutSides_(programs("near_side.vert", false, samples)),
+      edgeOnCutSides_(programs("near_side.vert", true, samples)),
+      cutCaps_(programs("near_cap.vert", false, samples)),
+      edgeOnCutCaps_(programs("near_cap.vert", true, samples)) {}
+
+namespace {
+
+bool isEdgeOn(const VolumePart& part) {
+    return part.kind == Kind::Cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
+}
+
+/// While it lives, what is drawn may also be on the ledge.
+class OnLedge {
+public:
+    explicit OnLedge(bool on) : on_(on) {
+        if (on_) glDepthRangef(0.0f, 1.0f);
+    }
+    ~OnLedge() {
+        if (on_) glDepthRangef(0.0f, 1.0f - float(LEDGE));
+    }
+    OnLedge(const OnLedge&) = delete;
+    OnLedge& operator=(const OnLedge&) = delete;
+
+private:
+    bool on_;
+};
+
+}  // namespace
+
+const VolumeRenderer::Programs& VolumeRenderer::programsOf(const VolumePart& part) const {
+    const bool edgeOn = isEdgeOn(part), cut = part.start == VolumePart::Start::CapPlane;
+    if (part.kind == Kind::Cap) {
+        if (cut) return edgeOn ? edgeOnCutCaps_ : cutCaps_;
+        return edgeOn ? edgeOnCaps_ : caps_;
+    }
+    if (cut) return edgeOn ? edgeOnCutSides_ : cutSides_;
+    return edgeOn ? edgeOnSides_ : sides_;
+}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
     gpu::RasterState state = rasterState(part, into);
-    const bool cap = part.kind == Kind::Cap, edgeOn = cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
-    state.everySample = edgeOn;  // a depth of its own for each sample
-    const Programs& programs = cap ? (edgeOn ? edgeOnCaps_ : caps_) : (edgeOn ? edgeOnSides_ : sides_);
-    const gpu::Program& program = programs.of(into);
+    state.everySample = isEdgeOn(part);  // a depth of its own for each sample
+    const gpu::Program& program = programsOf(part).of(into);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
     if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);
@@ -110,12 +149,26 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     silhouettes.bind();
     vertexArray_.bind();
     program.use();
-    if (cap) {
+    const bool cut = part.start == VolumePart::Start::CapPlane;
+    const OnLedge onLedge(cut);
+    if (part.kind == Kind::Cap) {
         drawCap(part, program, state, geometry, silhouettes, group, l);
+        return;
+    }
+    gpu::apply(state);
+    if (cut) {
+        drawCutSides(part, program, silhouettes, l);
     } else {
-        gpu::apply(state);
         drawSides(part, silhouettes, l);
     }
+}
+
+void VolumeRenderer::drawCutSides(const VolumePart& part, const gpu::Program& program, const Silhouettes& silhouettes,
+                                  std::uint32_t l) {
+    const gpu::DrawCommand& list = silhouettes.hostSummaries[l].lists[part.what];
+    program.uniform(2, GLuint(list.baseVertex) / 4);
+    ++gpu::activity().draws;
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(list.count / 6 * kCutVertices));
 }
 
 void VolumeRenderer::drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l) {
@@ -148,16 +201,17 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
     // cap at its own depth must not be nearer by rounding. Before the near plane its depth is clamped: nearer than all.
     state.pushedBack = part.what == CAP_TRUE;
     // Neighbouring instances make one range: the vertex shader drops the padding between them.
+    const GLsizei vertices = part.start == VolumePart::Start::CapPlane ? kCutVertices : 3;  // of a triangle's caps
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;
     std::uint32_t last = 0;
     for (const std::uint32_t i : part.instances) {
         const gpu::InstanceData& instance = geometry.instances()[i];
         if (firsts.empty() || i != last + 1) {
-            firsts.push_back(GLint(3 * instance.placedTriangleBase));
+            firsts.push_back(vertices * GLint(instance.placedTriangleBase));
             counts.push_back(0);
         }
-        counts.back() = GLsizei(3 * (instance.placedTriangleBase + instance.triangleCount)) - firsts.back();
+        counts.back() = vertices * GLsizei(instance.placedTriangleBase + instance.triangleCount) - firsts.back();
         last = i;
     }
     gpu::apply(state);

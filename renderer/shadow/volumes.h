@@ -18,8 +18,13 @@ struct VolumePart {
         Pass,  // +1 front, -1 back where nearer than what is seen
         Fail,  // -1 front, +1 back where not nearer
     };
+    enum class Start {
+        Eye,       // view rays begin at the eye itself
+        CapPlane,  // at the plane in the middle of the ledge, by which everything is cut (shadow/ledge.h)
+    };
     Kind kind = Kind::Sides;
     Rule rule = Rule::Pass;
+    Start start = Start::Eye;
     std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
     std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
 };
@@ -54,7 +59,12 @@ private:
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
+    const Programs& programsOf(const VolumePart& part) const;
+    void drawCutSides(const VolumePart& part, const gpu::Program& program, const Silhouettes& silhouettes,
+                      std::uint32_t l);
+
     Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
+    Programs cutSides_, edgeOnCutSides_, cutCaps_, edgeOnCutCaps_;
     gpu::VertexArray vertexArray_{"volumes"};
     glm::vec4 hullColor_{1.0f};
     gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
