@@ -61,8 +61,24 @@ bool sectionCorner(Corner corners[6], uint wanted, uint corner, out vec4 positio
     return false;
 }
 
+/// Whether the triangle's plane is beyond the other one all over the picture. Cut or not is the same there, and uncut the
+/// triangle has the depths that it has where it is seen; those of a kilometre seen from a millimetre are no others'.
+bool isBeyondInPicture(vec4 plane) {
+    for (int i = 0; i < 4; ++i) {
+        vec2 at = 1.03125 * view.rayScale.xy * vec2((i & 1) * 2 - 1, (i & 2) - 1);
+        bool beyond = view.perspective != 0u ? -dot(plane.xyz, vec3(at, -1.0)) / plane.w <= 1.0 / view.capDistance
+                                             : (dot(plane.xy, at) + plane.w) / plane.z >= view.capDistance;
+        if (!beyond) return false;
+    }
+    return true;
+}
+
 /// The triangle itself, beyond the plane: at most two.
-bool cutTriangleCorner(Corner corners[6], uint wanted, uint corner, out vec4 position) {
+bool cutTriangleCorner(Corner corners[6], vec4 plane, uint wanted, uint corner, out vec4 position) {
+    if (isBeyondInPicture(plane)) {
+        position = corners[corner].clip;
+        return wanted == 0u;
+    }
     vec4 polygon[5];
     uint size = 0u;
     for (int i = 0; i < 3; ++i) {
@@ -107,6 +123,6 @@ void main() {
     vec4 position;
     uint wanted = vertex % 9u / 3u, corner = vertex % 3u;
     bool has = cap == CAP_SECTION ? sectionCorner(corners, wanted, corner, position)
-                                  : cutTriangleCorner(corners, wanted, corner, position);
+                                  : cutTriangleCorner(corners, planes[vertex / 9u], wanted, corner, position);
     if (has) gl_Position = position;
 }

@@ -25,10 +25,10 @@ void main() {
     corners[1] = farCut(corners[0], light, side.light.w);
     corners[2] = farCut(corners[3], light, side.light.w);
 #ifdef EDGE_ON
-    nearA = onLedge(nearA);
-    farA = onLedge(farA);
-    nearB = onLedge(nearB);
-    farB = onLedge(farB);
+    nearA = corners[0].clip;
+    farA = corners[1].clip;
+    nearB = corners[3].clip;
+    farB = corners[2].clip;
 #endif
 
     vec4 polygon[6];
