@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "error.h"
+#include "frame/light_counts.h"
 #include "frame/read_aovs.h"
 #include "frame/record.h"
 #include "frame/volume_diagnostics.h"
@@ -68,7 +69,7 @@ struct FrameRenderer::Impl {
     GBuffer gbuffer;
     Resolve resolve;
     std::unique_ptr<SilhouetteTechnique> technique;
-    std::unique_ptr<CountTechnique> count;
+    LightCounts counts;
     Silhouettes silhouettes;
     LayerBound layerBound{geometry};
     VolumeRenderer volumes{settings.samples};
@@ -91,14 +92,14 @@ struct FrameRenderer::Impl {
           gbuffer(wanted.width, wanted.height, checkedSamples(wanted.samples, context)),
           resolve(gbuffer),
           technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)),
-          count(makeCountTechnique(wanted.count)) {}
+          counts(wanted) {}
 
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
     void uploadView(const std::vector<const PlacedLight*>& lights);
-    CountSettings findCasters(bool halve);
+    CountSettings findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame);
     void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
-    void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
+    void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs, int frame,
                      FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
     void readSamples(FramePixels& pixels);
@@ -131,7 +132,7 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
 }
 
 /// T1: casters that are partly missing from the depth buffer need caps and are counted whole.
-CountSettings FrameRenderer::Impl::findCasters(bool halve) {
+CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame) {
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
     silhouettes.casters.clearToZero();
     gbuffer.depthOnly.bind();
@@ -139,22 +140,29 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     silhouettes.hostCasters.resize(geometry.instanceCount());
     silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
                              silhouettes.hostCasters.data());
-    CountSettings counts;
-    counts.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
-    counts.halve = halve;
-    counts.perspective = eye.perspective;
+    CountSettings found;
+    found.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
+    found.halve = halve;
+    found.perspective = eye.perspective;
     const std::vector<Geometry::Bounds> modelBounds = geometry.modelBounds();
     boxes = worldBounds(geometry, modelBounds);
     const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
-    counts.holed = surfaces.holed();
-    count->begin({geometry, modelBounds, eye, shadowLights});
+    found.holed = surfaces.holed();
+    std::vector<std::string> ids;
+    std::vector<double> rangesMetres;
+    for (const PlacedLight* light : lights) {
+        ids.push_back(light->id);
+        rangesMetres.push_back(light->light.rangeMetres);
+    }
+    counts.begin({geometry, modelBounds, eye, shadowLights, rangesMetres}, frame, std::move(ids));
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         if (nearer[i]) silhouettes.hostCasters[i].missing = 1;
-        whole[i] = counts.holed[i] || silhouettes.hostCasters[i].missing != 0 || count->countsWhole(std::uint32_t(i));
+        whole[i] =
+            found.holed[i] || silhouettes.hostCasters[i].missing != 0 || counts.countsWhole(std::uint32_t(i));
     }
     geometry.setWhole(whole);
-    return counts;
+    return found;
 }
 
 void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights,
@@ -170,29 +178,30 @@ void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vec
 }
 
 void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
-                                      FrameRecorder& recorder, const PlanesOf& planesOf) {
+                                      int frame, FrameRecorder& recorder, const PlanesOf& planesOf) {
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
-    const CountSettings countSettings = findCasters(halve);
-    const SweepOptions sweepOptions{halve, outputs.figures, count->start() == VolumePart::Start::Eye};
+    const CountSettings countSettings = findCasters(halve, lights, frame);
     masks->clear();
     // Also without any light there is one sweep: it sets up the triangles' planes.
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
         const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
         begin("time.silhouettes");
-        std::uint32_t byFail = count->fromInfinity() ? ~0u : 0u;
+        std::uint32_t byFail = counts.fromInfinity(group);
         for (std::uint32_t l = 0; l < group.count; ++l) {
             // z-fail has no constant there and would need caps of both ends; z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
         markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
-        findSilhouettes(*technique, geometry, group, byFail, sweepOptions, silhouettes);
+        findSilhouettes(*technique, geometry, group, byFail,
+                        {halve, outputs.figures, counts.withEyeConstant(group)}, silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
-            std::vector<CountPlan> plans =
-                count->plan({silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings});
+            const bool parallel = parallelToView(*lights[first + l], eye);
+            std::vector<CountPlan> plans = counts.plan({silhouettes, group, l, layers[l], parallel, countSettings},
+                                                       *masks, volumes, geometry);
             LightPlanes& planes = planesOf(lights[first + l]);
             for (const CountPlan& plan : plans) {
                 masks->count(plan, volumes, geometry, silhouettes, group, l);
@@ -273,7 +282,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
                                   int frame, Statistics& statistics, const PlacedMoment* before) {
     Impl& r = *impl_;
     r.eye = makeEye(camera, r.settings.width, r.settings.height);
-    r.eye.ledge = r.count->ledge();
+    r.eye.ledge = r.counts.ledge();
     glDepthRangef(0.0f, float(1.0 - r.eye.ledge));
     r.shining = lightsThatShine(moment);
     const Eye& eye = r.eye;
@@ -304,7 +313,8 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.begin("time.gbuffer");
     r.gbuffer.begin(eye.emptyDepth());
     r.surfaces.drawOpaque(r.geometry, r.materials);
-    r.castShadows(lights, outputs, recorder, planesOf);
+    r.castShadows(lights, outputs, frame, recorder, planesOf);
+    pixels.notes = r.counts.takeNotes();
     if (outputs.radiance) pixels.radiance = r.shade();
     gpu::checkGl("while rendering");
     r.profiler.pass(gpu::Profiler::kNoPass);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "job/names.h"
+
 namespace umbrage {
 namespace {
 
@@ -42,6 +44,9 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     settings.samples = job.image.samples;
     settings.shadows = job.shadow.enabled;
     choose(techniqueOf(job), settings);
+    const auto when = std::ranges::find(kWhenInexact, job.shadow.whenInexact, &NameAndMeaning::name);
+    settings.whenInexact = WhenInexact(when - kWhenInexact.begin());
+    settings.extrusionMetres = job.shadow.extrusionMetres;
     settings.eyeConstant = job.shadow.eyeConstant;
     const auto skip = [&](const char* name) {
         const auto found = job.shadow.skips.find(name);

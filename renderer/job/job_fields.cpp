@@ -120,6 +120,12 @@ Type<Job::Shadow> shadowSettings() {
             field<Shadow>("enabled", boolean(), &Shadow::enabled, "off: everything is lit"),
             field<Shadow>("count", choice(orAuto(namesOf(kCounts))), &Shadow::count,
                           "How pixels are counted: " + meaningsOf(kCounts)),
+            field<Shadow>("whenInexact", choice(namesOf(kWhenInexact)), &Shadow::whenInexact,
+                          "Where the way of counting is not exact and says so: " + meaningsOf(kWhenInexact)),
+            field<Shadow>("extrusion", number(atLeast(0)), &Shadow::extrusionMetres,
+                          "Where volumes of z-fail-finite end, from the light; 0: beyond the box of its range, or of "
+                          "the scene")
+                .in("metres"),
             field<Shadow>("silhouette", choice(orAuto(namesOf(kSilhouettes))), &Shadow::silhouette,
                           "How silhouette edges are found: " + meaningsOf(kSilhouettes)),
             field<Shadow>("eyeConstant", boolean(), &Shadow::eyeConstant,

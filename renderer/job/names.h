@@ -12,6 +12,14 @@ struct NameAndMeaning {
     std::string_view name, meaning;
 };
 
+/// A way of counting, and when it claims to be exact: always, where it does not say otherwise itself (then
+/// shadow.whenInexact decides), or never.
+enum class Exact { Always, UnlessItSaysSo, Never };
+struct CountName {
+    std::string_view name, meaning;
+    Exact exact;
+};
+
 inline constexpr std::array kOverlays = {
     NameAndMeaning{"stencil", "shadow counts in false colour"},
     NameAndMeaning{"overdraw", "shadow-volume fragments as a heat map"},
@@ -29,9 +37,18 @@ inline constexpr std::array kSilhouettes = {
 };
 
 inline constexpr std::array kCounts = {
-    NameAndMeaning{"z-pass", "from the eye, with a constant for the volumes that hold it"},
-    NameAndMeaning{"z-fail", "from infinity, with caps"},
-    NameAndMeaning{"near-cap", "from a plane just before the near plane, with caps there"},
+    CountName{"z-pass", "from the eye, with a constant for the volumes that hold it", Exact::Always},
+    CountName{"z-fail", "from infinity, with caps", Exact::Always},
+    CountName{"near-cap", "from a plane just before the near plane, with caps there", Exact::Always},
+    CountName{"z-pass-plus", "from the near plane, where the light's view of it counts what it cuts", Exact::Never},
+    CountName{"invert", "from the eye, only whether counts are odd", Exact::UnlessItSaysSo},
+    CountName{"z-fail-finite", "from infinity, with volumes that end", Exact::UnlessItSaysSo},
+};
+
+inline constexpr std::array kWhenInexact = {
+    NameAndMeaning{"fall-back", "such lights are counted by z-pass, and a note says so"},
+    NameAndMeaning{"refuse", "an error"},
+    NameAndMeaning{"allow", "what comes out comes out"},
 };
 
 inline constexpr std::array kSkips = {

@@ -32,7 +32,7 @@ bool seenEdgeOn(uint instance, uint placed, vec3 p) {
 
 /// Whether this draw is for the triangle.
 bool isWanted(uint instance, uint placed, uint flags, uvec3 vertices) {
-    if (cap == CAP_DARK || cap == CAP_SECTION) return true;
+    if (cap == CAP_DARK || cap == CAP_SECTION || cap == CAP_LIGHT_VIEW) return true;
     if (inDepthBuffer(instance, flags)) return cap == CAP_FAR;
     if (cap == CAP_FAR) return false;
     return seenEdgeOn(instance, placed, positionOf(vertices.x)) == (cap == CAP_EDGE_ON);

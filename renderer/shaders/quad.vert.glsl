@@ -4,6 +4,8 @@
 // variant: EDGE_ON 1
 // variant: TALLY 1, EDGE_ON 1
 // variant: TALLY 1
+// variant: FINITE 1
+// variant: FINITE 1, EDGE_ON 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "sides.glsl"

@@ -133,13 +133,15 @@ struct Edge {
 #define HULL_COLOR 12
 #define TALLY_KIND 13
 #define TALLY_FAILED 14
+#define VOLUME_END 9
 
 // Kinds of caps, see cap.vert.glsl.
 #define CAP_TRUE 0
 #define CAP_EDGE_ON 1
 #define CAP_FAR 2
 #define CAP_DARK 3
-#define CAP_SECTION 4  // see near_cap.vert.glsl
+#define CAP_SECTION 4     // see near_cap.vert.glsl
+#define CAP_LIGHT_VIEW 5  // see light_view.vert.glsl
 
 // Share of the depth range before the near plane, in frames whose counts begin there (Kilgard 2001: the ledge). A
 // half, because scaling floats by a power of two rounds nothing.

@@ -29,6 +29,15 @@ void addSides(CountPlan& plan, std::uint32_t list, Rule rule, Start start, const
     }
 }
 
+void keepParity(CountPlan& plan) {
+    plan.inverted = true;
+    plan.fullLitValue = plan.litValue;
+    plan.fullIsWide = plan.wide;
+    plan.wide = false;
+    plan.litValue = -(plan.litValue & 1);  // no bit, or all
+    for (VolumePart& part : plan.parts) part.inverts = true;
+}
+
 }  // namespace
 
 std::vector<CountPlan> CountTechnique::plan(const CountInput& input) const {
@@ -37,7 +46,7 @@ std::vector<CountPlan> CountTechnique::plan(const CountInput& input) const {
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
     const Start start = this->start();
     const auto eyeInside = [&](std::uint32_t list) {
-        return settings.eyeConstant && start == Start::Eye ? int(summary.eyeInside[list]) : 0;
+        return settings.eyeConstant && hasEyeConstant() ? int(summary.eyeInside[list]) : 0;
     };
     std::vector<CountPlan> plans;
 
@@ -66,12 +75,17 @@ std::vector<CountPlan> CountTechnique::plan(const CountInput& input) const {
     addCap(whole, CAP_FAR, Rule::Fail, Start::Eye, silhouettes, l, all);
     // All ends of a directional light's volumes meet in one point, and an orthographic eye sees no point at infinity.
     const bool positional = silhouettes.hostLightsInModel[group.first + l].w != 0.0f;
-    if (settings.perspective && positional) addCap(whole, CAP_DARK, Rule::Fail, Start::Eye, silhouettes, l, all);
+    const double endMetres = this->endMetres(group.first + l);
+    if ((settings.perspective && positional) || endMetres > 0.0) addCap(whole, CAP_DARK, Rule::Fail, Start::Eye, silhouettes, l, all);
     addStart(whole, input);
     whole.wide = layerBound > 255;
     whole.eyeLayers = eyeInside(LIST_WHOLE) + eyeInside(LIST_FAIL);
     whole.litValue = -whole.eyeLayers;
     if (!whole.parts.empty() || whole.eyeLayers != 0) plans.push_back(std::move(whole));
+    for (CountPlan& plan : plans) {
+        if (inverts()) keepParity(plan);
+        for (VolumePart& part : plan.parts) part.endMetres = float(endMetres);
+    }
     return plans;
 }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct CountPlan {
     bool wide = false;             // counts may exceed what 8 bits hold (T6)
     std::uint32_t layerBound = 0;  // no count is larger
     int eyeLayers = 0;             // volumes that hold every sample's start, and that no part counts
+    bool inverted = false;         // only parity is kept; of the full count:
+    int fullLitValue = 0;
+    bool fullIsWide = false;
 };
 
 /// What plans depend on beside the silhouettes.
@@ -56,6 +60,7 @@ struct CountFrame {
     std::span<const Geometry::Bounds> modelBounds;  // per instance
     const Eye& eye;
     std::span<const ShadowLight> lights;  // all that shine
+    std::span<const double> rangesMetres;  // of them; 0: infinite
 };
 
 /// A way of counting. One a file: count_<name>.cpp; what they share is in counts.cpp and volumes.cpp.
@@ -68,6 +73,9 @@ public:
 
     virtual void begin(const CountFrame&) {}
 
+    /// Why it may be wrong for a light of the frame; empty: it is exact, as far as it claims that at all.
+    virtual std::string whyInexact(std::uint32_t) const { return {}; }
+
     /// Whether a caster must not be halved in this frame.
     virtual bool countsWhole(std::uint32_t) const { return false; }
 
@@ -76,6 +84,15 @@ public:
 
     /// Whether casters are counted by z-fail, from infinity, unless the eye is near their volumes; else from the eye.
     virtual bool fromInfinity() const { return false; }
+
+    /// Whether something is wrong where rasteriser and eye constant disagree (T4).
+    virtual bool hasEyeConstant() const { return start() == VolumePart::Start::Eye; }
+
+    /// Where volumes of a light of the frame end, from the light (of a directional one, from the caster); 0: nowhere.
+    virtual double endMetres(std::uint32_t) const { return 0.0; }
+
+    /// Whether every crossing inverts the count's bits instead of adding to it.
+    virtual bool inverts() const { return false; }
 
     /// The halved and the whole count of a light, as far as there is something to count.
     std::vector<CountPlan> plan(const CountInput& input) const;
@@ -98,7 +115,11 @@ private:
     std::vector<std::vector<bool>> reach_;  // per instance and light
 };
 
+struct CountOptions {
+    double endMetres = 0.0;  // of techniques whose volumes end; 0: they choose
+};
+
 /// @param name  of kCounts
-std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name);
+std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name, const CountOptions& options = {});
 
 }  // namespace umbrage

@@ -44,7 +44,7 @@ struct Silhouettes {
 struct SweepOptions {
     bool halve = true;     // LIST_HALVED gets one quad for two crossings, else both
     bool figures = false;  // also count lit triangles and silhouette edges
-    bool hazards = true;   // off: nothing depends on an eye constant, so no caster must change its count (T4)
+    std::uint32_t hazards = ~0u;  // bits of lights: for others nothing depends on an eye constant (T4)
 };
 
 class SilhouetteTechnique {

@@ -15,12 +15,18 @@ constexpr GLsizei kCutVertices = 9;  // of a side or cap that is cut: up to five
 gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) {
     using Into = VolumeRenderer::Into;
     gpu::RasterState state;
-    state.depthClamp = true;  // every view ray starts at the eye itself (G5)
+    state.depthClamp = part.start != VolumePart::Start::NearPlane;  // every view ray starts at the eye itself (G5)
     state.depth = gpu::Depth::Nearer;
+    const bool lightView = part.what == CAP_LIGHT_VIEW && part.kind == Kind::Cap;
+    if (lightView) state.depth = gpu::Depth::Off;
     switch (into) {
         case Into::Stencil:
             state.stencil.enabled = true;
-            if (part.rule == Rule::Fail) {
+            if (part.inverts) {
+                const bool fails = part.rule == Rule::Fail;
+                (fails ? state.stencil.frontDepthFail : state.stencil.frontPass) = GL_INVERT;
+                (fails ? state.stencil.backDepthFail : state.stencil.backPass) = GL_INVERT;
+            } else if (part.rule == Rule::Fail) {
                 state.stencil.frontDepthFail = GL_DECR_WRAP;
                 state.stencil.backDepthFail = GL_INCR_WRAP;
             } else {
@@ -71,19 +77,24 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
     }
 }
 
-VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeOn, int samples) {
+VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeOn, int samples,
+                                                  bool finite) {
     const bool caps = std::string_view(vertex).find("cap") != std::string_view::npos;
+    const auto plain = [&](const char* fragment, std::vector<std::string> defines) {
+        if (finite) defines.push_back("FINITE 1");
+        return gpu::Program(vertex, fragment, std::move(defines));
+    };
     const auto variant = [&](const char* fragment, std::vector<std::string> defines) {
         if (edgeOn) defines.push_back("EDGE_ON 1");
         if (edgeOn && caps) defines.push_back("PUSHED_BACK 1");
-        return gpu::Program(vertex, fragment, std::move(defines));
+        return plain(fragment, std::move(defines));
     };
-    return {edgeOn ? variant("count.frag", {"STENCIL_ONLY 1"}) : gpu::Program(vertex),
+    return {edgeOn ? variant("count.frag", {"STENCIL_ONLY 1"}) : plain("", {}),
             variant("count.frag", {"SIGNED 1"}),
             variant("tally.frag", {"SAMPLES " + std::to_string(samples)}),
             variant("tally.frag", {"TALLY 1", "CASES 1", "SAMPLES " + std::to_string(samples)}),
-            gpu::Program(vertex, "attribution.frag", {"TALLY 1"}),
-            gpu::Program(vertex, "hull.frag")};
+            plain("attribution.frag", {"TALLY 1"}),
+            plain("hull.frag", {})};
 }
 
 VolumeRenderer::VolumeRenderer(int samples)
@@ -94,7 +105,11 @@ VolumeRenderer::VolumeRenderer(int samples)
       cutSides_(programs("near_side.vert", false, samples)),
       edgeOnCutSides_(programs("near_side.vert", true, samples)),
       cutCaps_(programs("near_cap.vert", false, samples)),
-      edgeOnCutCaps_(programs("near_cap.vert", true, samples)) {}
+      edgeOnCutCaps_(programs("near_cap.vert", true, samples)),
+      lightViews_(programs("light_view.vert", false, samples)),
+      finiteSides_(programs("quad.vert", false, samples, true)),
+      edgeOnFiniteSides_(programs("quad.vert", true, samples, true)),
+      finiteCaps_(programs("cap.vert", false, samples, true)) {}
 
 namespace {
 
@@ -124,8 +139,11 @@ const VolumeRenderer::Programs& VolumeRenderer::programsOf(const VolumePart& par
     const bool edgeOn = isEdgeOn(part), cut = part.start == VolumePart::Start::CapPlane;
     if (part.kind == Kind::Cap) {
         if (cut) return edgeOn ? edgeOnCutCaps_ : cutCaps_;
+        if (part.what == CAP_LIGHT_VIEW) return lightViews_;
+        if (part.endMetres > 0.0f && !edgeOn) return finiteCaps_;
         return edgeOn ? edgeOnCaps_ : caps_;
     }
+    if (part.endMetres > 0.0f) return edgeOn ? edgeOnFiniteSides_ : finiteSides_;
     if (cut) return edgeOn ? edgeOnCutSides_ : cutSides_;
     return edgeOn ? edgeOnSides_ : sides_;
 }
@@ -137,6 +155,7 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     const gpu::Program& program = programsOf(part).of(into);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
+    if (part.endMetres > 0.0f && !(part.kind == Kind::Cap && isEdgeOn(part))) program.uniform(VOLUME_END, part.endMetres);
     if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);
     if (into == Into::Faces || into == Into::Lines) {
         glProgramUniform4fv(program.name(), HULL_COLOR, 1, &hullColor_[0]);

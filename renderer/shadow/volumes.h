@@ -20,6 +20,7 @@ struct VolumePart {
     };
     enum class Start {
         Eye,       // view rays begin at the eye itself
+        NearPlane,
         CapPlane,  // at the plane in the middle of the ledge, by which everything is cut (shadow/ledge.h)
     };
     Kind kind = Kind::Sides;
@@ -27,6 +28,8 @@ struct VolumePart {
     Start start = Start::Eye;
     std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
     std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
+    float endMetres = 0.0f;                // where volumes end, from the light; 0: nowhere
+    bool inverts = false;                  // every crossing inverts the count's bits, of which only parity is left
 };
 
 /// Draws parts of volumes into whatever framebuffer is bound.
@@ -54,7 +57,7 @@ private:
         gpu::Program stencil, counter, fill, tally, casters, hull;
         const gpu::Program& of(Into into) const;
     };
-    static Programs programs(const char* vertex, bool edgeOn, int samples);
+    static Programs programs(const char* vertex, bool edgeOn, int samples, bool finite = false);
     void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
@@ -64,7 +67,8 @@ private:
                       std::uint32_t l);
 
     Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
-    Programs cutSides_, edgeOnCutSides_, cutCaps_, edgeOnCutCaps_;
+    Programs cutSides_, edgeOnCutSides_, cutCaps_, edgeOnCutCaps_, lightViews_;
+    Programs finiteSides_, edgeOnFiniteSides_, finiteCaps_;
     gpu::VertexArray vertexArray_{"volumes"};
     glm::vec4 hullColor_{1.0f};
     gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
