@@ -25,6 +25,6 @@ void main() {
     vec4 p = vec4(viewFromModel(triangle.instance, vec4(positionOf(triangle.vertices[corner]), 1.0)), 1.0);
     vec4 onPlane = s * (p * beyond(light) - light * beyond(p));
     vec4 clip = clipFromView(vec3(onPlane.xy, -view.znear * onPlane.w), onPlane.w);
-    // Nearer than all that is seen, and clipped where s g(p) < 0.
-    gl_Position = vec4(clip.xy, clip.w - 9.5367431640625e-7 * view.znear * s * beyond(p), clip.w);
+    // From 0 in the plane, whose sign is exact, to the light but for a millionth.
+    gl_Position = vec4(clip.xy, 9.5367431640625e-7 * view.znear * s * beyond(p), clip.w);
 }

@@ -86,6 +86,7 @@ VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeO
     };
     const auto variant = [&](const char* fragment, std::vector<std::string> defines) {
         if (edgeOn) defines.push_back("EDGE_ON 1");
+        if (std::string_view(vertex) == "light_view.vert") defines.push_back("LIGHT_VIEW 1");
         if (edgeOn && caps) defines.push_back("PUSHED_BACK 1");
         return plain(fragment, std::move(defines));
     };
