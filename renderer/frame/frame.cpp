@@ -326,7 +326,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         if (outputs.samples) r.readSamples(pixels);
     }
     if (outputs.figures && outputs.scene) recorder.scene(pixels.scene);
-    if (outputs.figures) recorder.finish(moment.lights.size() - lights.size());
+    if (outputs.figures) recorder.finish(moment.lights.size() - lights.size(), r.counts.fellBackCount());
     for (const auto& [pass, milliseconds] : r.profiler.collect()) pixels.milliseconds[std::size_t(pass)] = milliseconds;
     return pixels;
 }

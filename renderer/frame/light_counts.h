@@ -2,6 +2,7 @@
 // Which technique counts each light of a frame: the chosen one, or z-pass where that one is not exact and says so.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <string>
@@ -38,7 +39,8 @@ public:
 
     /// Why lights were not counted as chosen, each once; empties itself.
     std::vector<std::string> takeNotes() { return std::exchange(notes_, {}); }
-    bool fellBack(std::uint32_t light) const { return fellBack_[light]; }
+    /// Of the frame's lights.
+    std::size_t fellBackCount() const { return std::size_t(std::ranges::count(fellBack_, true)); }
 
 private:
     const CountTechnique& of(std::uint32_t light) const { return fellBack_[light] ? *fallback_ : *chosen_; }

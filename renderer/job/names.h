@@ -22,6 +22,7 @@ struct CountName {
 
 inline constexpr std::array kOverlays = {
     NameAndMeaning{"stencil", "shadow counts in false colour"},
+    NameAndMeaning{"stencil-zero", "shadow counts in green where they are zero and in red where not (Kilgard 2001)"},
     NameAndMeaning{"overdraw", "shadow-volume fragments as a heat map"},
     NameAndMeaning{"silhouettes", "silhouette edges of each light"},
     NameAndMeaning{"volumes", "the shadow volumes themselves, translucent, with their edges"},
