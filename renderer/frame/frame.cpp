@@ -78,7 +78,7 @@ struct FrameRenderer::Impl {
     std::vector<Geometry::Bounds> boxes;  // per instance, in the world, this frame
     std::unique_ptr<Masks> masks;         // made anew when the number of groups of lights grows
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
-    Eye eye;                           // of the last frame
+    Eye eye;  // of the last frame
     std::vector<ShadowLight> shadowLights;
     std::vector<std::size_t> shining;  // its lights that are on, as positions in the moment's list
 
@@ -158,8 +158,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         if (nearer[i]) silhouettes.hostCasters[i].missing = 1;
-        whole[i] =
-            found.holed[i] || silhouettes.hostCasters[i].missing != 0 || counts.countsWhole(std::uint32_t(i));
+        whole[i] = found.holed[i] || silhouettes.hostCasters[i].missing != 0 || counts.countsWhole(std::uint32_t(i));
     }
     geometry.setWhole(whole);
     return found;
@@ -193,15 +192,15 @@ void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lig
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
         markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
-        findSilhouettes(*technique, geometry, group, byFail,
-                        {halve, outputs.figures, counts.withEyeConstant(group)}, silhouettes);
+        findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures, counts.withEyeConstant(group)},
+                        silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
             const bool parallel = parallelToView(*lights[first + l], eye);
-            std::vector<CountPlan> plans = counts.plan({silhouettes, group, l, layers[l], parallel, countSettings},
-                                                       *masks, volumes, geometry);
+            std::vector<CountPlan> plans =
+                counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry);
             LightPlanes& planes = planesOf(lights[first + l]);
             for (const CountPlan& plan : plans) {
                 masks->count(plan, volumes, geometry, silhouettes, group, l);

@@ -55,7 +55,8 @@ std::vector<CountPlan> LightCounts::plan(const CountInput& input, Masks& masks, 
     std::vector<CountPlan> plans = of(light).plan(input);
     if (fellBack_[light] || whenInexact_ == WhenInexact::Allow) return plans;
     for (const CountPlan& plan : plans) {
-        if (!plan.inverted || masks.parityTells(plan, volumes, geometry, input.silhouettes, input.group, input.l)) continue;
+        if (!plan.inverted || masks.parityTells(plan, volumes, geometry, input.silhouettes, input.group, input.l))
+            continue;
         notExact(light, "some count is even, so its parity does not tell it from none");
         return of(light).plan(input);
     }

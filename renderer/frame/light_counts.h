@@ -29,13 +29,15 @@ public:
     /// Whether a caster must not be halved in this frame.
     bool countsWhole(std::uint32_t instance) const { return chosen_->countsWhole(instance); }
 
-    /// Bits of a group's lights whose casters are counted from infinity, and of those whose counts have an eye constant.
+    /// Bits of a group's lights whose casters are counted from infinity, and of those whose counts have an eye
+    /// constant.
     std::uint32_t fromInfinity(const LightGroup& group) const;
     std::uint32_t withEyeConstant(const LightGroup& group) const;
 
     /// Of a light of the group that was swept last.
     /// @throws Error(Input) as begin()
-    std::vector<CountPlan> plan(const CountInput& input, Masks& masks, VolumeRenderer& volumes, const Geometry& geometry);
+    std::vector<CountPlan> plan(const CountInput& input, Masks& masks, VolumeRenderer& volumes,
+                                const Geometry& geometry);
 
     /// Why lights were not counted as chosen, each once; empties itself.
     std::vector<std::string> takeNotes() { return std::exchange(notes_, {}); }

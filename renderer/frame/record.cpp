@@ -93,7 +93,8 @@ void FrameRecorder::recordPixels(const StatisticsPlace& place, const std::vector
 }
 
 void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouettes& silhouettes, bool halve,
-                          const VolumeFill& fill, std::optional<int> startLayers, const std::vector<std::uint32_t>& stencil) {
+                          const VolumeFill& fill, std::optional<int> startLayers,
+                          const std::vector<std::uint32_t>& stencil) {
     const StatisticsPlace place{.light = id};
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
     double quads = 0, eyeConstant = 0, zfail = 0, outOfReach = 0;

@@ -123,7 +123,7 @@ struct Job {
 
     struct Shadow {
         bool enabled = true;
-        std::string count = "auto";         // of kCounts
+        std::string count = "auto";  // of kCounts
         std::string whenInexact = "fall-back";
         double extrusionMetres = 0.0;       // 0: chosen
         std::string silhouette = "auto";    // compute, cpu

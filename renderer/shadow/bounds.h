@@ -28,8 +28,8 @@ struct StartRectangle {
     double distance;
 };
 
-/// Whether the volume of something in a box may pass through the rectangle: false only if a plane of the pyramid between
-/// light and rectangle has the box on its other side.
+/// Whether the volume of something in a box may pass through the rectangle: false only if a plane of the pyramid
+/// between light and rectangle has the box on its other side.
 /// @param corners  of the box, in view space
 bool mayReach(const StartRectangle& rectangle, std::span<const glm::dvec3> corners, const glm::dvec4& lightInView);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // z-fail as Kilgard 2001 describes it of Carmack's Doom: volumes end at a finite distance from the light, beyond the
 // bounds of what it lights, and are capped there. The infinite projection stands for the far plane that he moves out to
-// hold them. The cap of a triangle is flat, so near a light its middle comes nearer than its corners: seen from the light
-// under a wide angle, the volume collapses and lets light through.
+// hold them. The cap of a triangle is flat, so near a light its middle comes nearer than its corners: seen from the
+// light under a wide angle, the volume collapses and lets light through.
 #include <cmath>
 #include <numbers>
 

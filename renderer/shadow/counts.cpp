@@ -76,7 +76,8 @@ std::vector<CountPlan> CountTechnique::plan(const CountInput& input) const {
     // All ends of a directional light's volumes meet in one point, and an orthographic eye sees no point at infinity.
     const bool positional = silhouettes.hostLightsInModel[group.first + l].w != 0.0f;
     const double endMetres = this->endMetres(group.first + l);
-    if ((settings.perspective && positional) || endMetres > 0.0) addCap(whole, CAP_DARK, Rule::Fail, Start::Eye, silhouettes, l, all);
+    if ((settings.perspective && positional) || endMetres > 0.0)
+        addCap(whole, CAP_DARK, Rule::Fail, Start::Eye, silhouettes, l, all);
     addStart(whole, input);
     whole.wide = layerBound > 255;
     whole.eyeLayers = eyeInside(LIST_WHOLE) + eyeInside(LIST_FAIL);
@@ -101,7 +102,8 @@ void ReachingCasters::find(const CountFrame& frame, double distance) {
             const glm::dvec4 corner(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z, 1.0);
             corners[k] = glm::dvec3(viewFromModel * corner);
         }
-        for (std::size_t l = 0; l < lights.size(); ++l) reach_[i][l] = mayReach({frame.eye, distance}, corners, lights[l]);
+        for (std::size_t l = 0; l < lights.size(); ++l)
+            reach_[i][l] = mayReach({frame.eye, distance}, corners, lights[l]);
     }
 }
 

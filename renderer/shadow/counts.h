@@ -59,7 +59,7 @@ struct CountFrame {
     const Geometry& geometry;
     std::span<const Geometry::Bounds> modelBounds;  // per instance
     const Eye& eye;
-    std::span<const ShadowLight> lights;  // all that shine
+    std::span<const ShadowLight> lights;   // all that shine
     std::span<const double> rangesMetres;  // of them; 0: infinite
 };
 
@@ -107,7 +107,9 @@ protected:
 class ReachingCasters {
 public:
     void find(const CountFrame& frame, double distance);
-    bool any(std::uint32_t instance) const { return std::ranges::find(reach_[instance], true) != reach_[instance].end(); }
+    bool any(std::uint32_t instance) const {
+        return std::ranges::find(reach_[instance], true) != reach_[instance].end();
+    }
     /// Those of a light of the frame that are not out of its reach, ascending.
     std::vector<std::uint32_t> of(const CountInput& input) const;
 

@@ -21,8 +21,8 @@ inline double nearPlaneWithLedge(double znear, double ledge) {
     return (1.0 - ledge) * znear;
 }
 
-/// Distance along the view axis of the plane whose depth is in the middle of the ledge; without one of that before which
-/// nothing is seen.
+/// Distance along the view axis of the plane whose depth is in the middle of the ledge; without one of that before
+/// which nothing is seen.
 double capDistance(const Eye& eye);
 
 }  // namespace umbrage

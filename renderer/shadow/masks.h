@@ -37,7 +37,7 @@ public:
 
 private:
     void drawIntoStencil(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
-                        const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+                         const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
     void countByBlending(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
                          const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
     const gpu::Framebuffer& singleSampled(bool wide) const;

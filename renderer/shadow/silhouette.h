@@ -42,8 +42,8 @@ struct Silhouettes {
 };
 
 struct SweepOptions {
-    bool halve = true;     // LIST_HALVED gets one quad for two crossings, else both
-    bool figures = false;  // also count lit triangles and silhouette edges
+    bool halve = true;            // LIST_HALVED gets one quad for two crossings, else both
+    bool figures = false;         // also count lit triangles and silhouette edges
     std::uint32_t hazards = ~0u;  // bits of lights: for others nothing depends on an eye constant (T4)
 };
 

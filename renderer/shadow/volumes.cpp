@@ -77,8 +77,7 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
     }
 }
 
-VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeOn, int samples,
-                                                  bool finite) {
+VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeOn, int samples, bool finite) {
     const bool caps = std::string_view(vertex).find("cap") != std::string_view::npos;
     const auto plain = [&](const char* fragment, std::vector<std::string> defines) {
         if (finite) defines.push_back("FINITE 1");
@@ -156,7 +155,8 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     const gpu::Program& program = programsOf(part).of(into);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
-    if (part.endMetres > 0.0f && !(part.kind == Kind::Cap && isEdgeOn(part))) program.uniform(VOLUME_END, part.endMetres);
+    if (part.endMetres > 0.0f && !(part.kind == Kind::Cap && isEdgeOn(part)))
+        program.uniform(VOLUME_END, part.endMetres);
     if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);
     if (into == Into::Faces || into == Into::Lines) {
         glProgramUniform4fv(program.name(), HULL_COLOR, 1, &hullColor_[0]);

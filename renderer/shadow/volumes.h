@@ -19,7 +19,7 @@ struct VolumePart {
         Fail,  // -1 front, +1 back where not nearer
     };
     enum class Start {
-        Eye,       // view rays begin at the eye itself
+        Eye,  // view rays begin at the eye itself
         NearPlane,
         CapPlane,  // at the plane in the middle of the ledge, by which everything is cut (shadow/ledge.h)
     };

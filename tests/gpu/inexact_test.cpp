@@ -76,8 +76,8 @@ TEST(Counting, NearCapIsRightForCardsBeforeTheNearPlane) {
         test.add(ground(9.0f));
         test.eye = {0.0, 2.0, 8.0};
         test.target = {0.0, 2.0, 0.0};
-        test.add(quad({-.05f, 1.9f, 0}, {.02f, 1.9f, 0.02f}, {.02f, 2.05f, 0}, {-.05f, 2.05f, -0.02f}), true).translation =
-            {0.0, 0.0, at};
+        test.add(quad({-.05f, 1.9f, 0}, {.02f, 1.9f, 0.02f}, {.02f, 2.05f, 0}, {-.05f, 2.05f, -0.02f}), true)
+            .translation = {0.0, 0.0, at};
         test.addLight(LightType::Point, {0.3, 3.0, 8.5});
         test.addLight(LightType::Directional, {0.0, 0.4, 1.0});
         EXPECT_EQ(outcomeOf(test, "near-cap").wrong, 0) << at;
@@ -112,7 +112,8 @@ TEST(FillOfNearCaps, CasesAreThoseOfASearchOverTriangles) {
         }
         const Outcome outcome = outcomeOf(lit, "near-cap");
         const StatisticsPlace place{.light = outcome.pixels.lights[0].id};
-        expectCounter("caps.near.trivial", "a search over triangles", outcome.value("caps.near.trivial", place), trivial);
+        expectCounter("caps.near.trivial", "a search over triangles", outcome.value("caps.near.trivial", place),
+                      trivial);
         expectCounter("caps.near.easy", "a search over triangles", outcome.value("caps.near.easy", place), easy);
         expectCounter("caps.near.hard", "a search over triangles", outcome.value("caps.near.hard", place), hard);
         EXPECT_GT(easy + hard, 0.0);
