@@ -62,8 +62,12 @@ bool sectionCorner(Corner corners[6], uint wanted, uint corner, out vec4 positio
 }
 
 /// Whether the triangle's plane is beyond the other one all over the picture. Cut or not is the same there, and uncut the
-/// triangle has the depths that it has where it is seen; those of a kilometre seen from a millimetre are no others'.
-bool isBeyondInPicture(vec4 plane) {
+/// triangle has the depths that it has where it is seen; those of a kilometre seen from a millimetre are no others'. Not
+/// with the eye in the plane up to rounding: uncut, a triangle that reaches behind it may then cover anything.
+bool isBeyondInPicture(vec4 plane, Corner corners[6]) {
+    double farthest = 0.0lf;
+    for (int i = 0; i < 3; ++i) farthest = max(farthest, length(corners[i].p.xyz));
+    if (view.perspective != 0u && abs(plane.w) < 2.384185791015625e-7 * float(farthest)) return false;
     for (int i = 0; i < 4; ++i) {
         vec2 at = 1.03125 * view.rayScale.xy * vec2((i & 1) * 2 - 1, (i & 2) - 1);
         bool beyond = view.perspective != 0u ? -dot(plane.xyz, vec3(at, -1.0)) / plane.w <= 1.0 / view.capDistance
@@ -75,7 +79,7 @@ bool isBeyondInPicture(vec4 plane) {
 
 /// The triangle itself, beyond the plane: at most two.
 bool cutTriangleCorner(Corner corners[6], vec4 plane, uint wanted, uint corner, out vec4 position) {
-    if (isBeyondInPicture(plane)) {
+    if (isBeyondInPicture(plane, corners)) {
         position = corners[corner].clip;
         return wanted == 0u;
     }
