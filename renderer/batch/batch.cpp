@@ -132,7 +132,9 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
         };
         for (const int frame : frames) {
             if (interrupted) break;
-            queue.push(maker.make(frame, statistics));
+            WriteQueue::Item item = maker.make(frame, statistics);
+            for (const std::string& note : item.pixels->notes) observer.note(note);
+            queue.push(std::move(item));
             collect(queue.takeDone());
         }
         collect(queue.finish());

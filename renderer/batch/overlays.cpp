@@ -58,12 +58,27 @@ RgbPicture falseColor(const OverlayInput& in, const std::vector<float>& counts, 
     return std::move(canvas).take();
 }
 
-RgbPicture stencilPicture(const OverlayInput& in) {
+std::vector<float> largestCounts(const OverlayInput& in) {
     std::vector<float> largest(pixelCount(in));
     for (const LightPlanes& light : in.pixels.lights) {
         for (std::size_t i = 0; i < largest.size(); ++i) largest[i] = std::max(largest[i], float(light.counts[i]));
     }
-    return falseColor(in, largest, {"shadow count, highest of all lights", 16.0f}, in.technique);
+    return largest;
+}
+
+RgbPicture stencilPicture(const OverlayInput& in) {
+    return falseColor(in, largestCounts(in), {"shadow count, highest of all lights", 16.0f}, in.technique);
+}
+
+RgbPicture stencilZeroPicture(const OverlayInput& in) {
+    const KeyEntry key[] = {{{0, 150, 0}, "0"}, {{255, 0, 0}, "1"}, {{190, 0, 0}, "2"}, {{120, 0, 0}, "3 and more"}};
+    const std::vector<float> counts = largestCounts(in);
+    Canvas canvas = dimmed(in);
+    forPixels(in, [&](std::size_t i, int x, int y) {
+        canvas.blend(x, y, key[std::min(std::size_t(counts[i]), std::size(key) - 1)].color, 0.7f);
+    });
+    drawKey(canvas, "shadow count, highest of all lights", key);
+    return finished(std::move(canvas), in, "");
 }
 
 RgbPicture overdrawOf(const OverlayInput& in, const FramePixels& pixels, const std::string& technique) {
@@ -242,6 +257,7 @@ struct Overlay {
 };
 constexpr Overlay kOverlayPictures[] = {
     {"stencil", [](FrameOutputs& o) { o.counts = true; }, stencilPicture},
+    {"stencil-zero", [](FrameOutputs& o) { o.counts = true; }, stencilZeroPicture},
     {"overdraw", [](FrameOutputs& o) { o.overdraw = true; }, overdrawPicture},
     {"silhouettes", [](FrameOutputs& o) { o.aovs.emplace("silhouette"); }, silhouettePicture},
     {"volumes", [](FrameOutputs& o) { o.hulls = true; }, volumesPicture},

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "error.h"
+#include "frame/light_counts.h"
 #include "frame/read_aovs.h"
 #include "frame/record.h"
 #include "frame/volume_diagnostics.h"
@@ -69,7 +70,7 @@ struct FrameRenderer::Impl {
     GBuffer gbuffer;
     Resolve resolve;
     std::unique_ptr<SilhouetteTechnique> technique;
-    std::unique_ptr<CountTechnique> count;
+    LightCounts counts;
     Silhouettes silhouettes;
     LayerBound layerBound{geometry};
     VolumeRenderer volumes{settings.samples, *technique};
@@ -78,7 +79,8 @@ struct FrameRenderer::Impl {
     std::vector<Geometry::Bounds> boxes;  // per instance, in the world, this frame
     std::unique_ptr<Masks> masks;         // made anew when the number of groups of lights grows
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
-    Eye eye;                           // of the last frame
+    Eye eye;  // of the last frame
+    std::vector<ShadowLight> shadowLights;
     std::vector<std::size_t> shining;  // its lights that are on, as positions in the moment's list
 
     Impl(const Scene& s, const Moment& first, const FrameSettings& wanted, const gpu::Context& context)
@@ -91,14 +93,14 @@ struct FrameRenderer::Impl {
           gbuffer(wanted.width, wanted.height, checkedSamples(wanted.samples, context)),
           resolve(gbuffer),
           technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)),
-          count(makeCountTechnique(wanted.count)) {}
+          counts(wanted) {}
 
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
     void uploadView(const std::vector<const PlacedLight*>& lights);
-    CountSettings findCasters(bool halve);
+    CountSettings findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame);
     void limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool exactCounts);
-    void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
+    void castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs, int frame,
                      FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
     void readSamples(FramePixels& pixels);
@@ -115,7 +117,7 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
     viewBuffer.bindUniform(BIND_VIEW);
 
     std::vector<gpu::LightData> data;
-    std::vector<ShadowLight> shadowLights;
+    shadowLights.clear();
     for (const PlacedLight* light : lights) {
         data.push_back(lightData(*light, eye));
         shadowLights.push_back(shadowLight(*light));
@@ -131,7 +133,7 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
 }
 
 /// T1: casters that are partly missing from the depth buffer need caps and are counted whole.
-CountSettings FrameRenderer::Impl::findCasters(bool halve) {
+CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame) {
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
     silhouettes.casters.clearToZero();
     gbuffer.depthOnly.bind();
@@ -139,21 +141,28 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     silhouettes.hostCasters.resize(geometry.instanceCount());
     silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
                              silhouettes.hostCasters.data());
-    CountSettings counts;
-    counts.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
-    counts.halve = halve;
-    counts.perspective = eye.perspective;
+    CountSettings found;
+    found.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
+    found.halve = halve;
+    found.perspective = eye.perspective;
     const std::vector<Geometry::Bounds> modelBounds = geometry.modelBounds();
     boxes = worldBounds(geometry, modelBounds);
     const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
-    counts.holed = surfaces.holed();
+    found.holed = surfaces.holed();
+    std::vector<std::string> ids;
+    std::vector<double> rangesMetres;
+    for (const PlacedLight* light : lights) {
+        ids.push_back(light->id);
+        rangesMetres.push_back(light->light.rangeMetres);
+    }
+    counts.begin({geometry, modelBounds, eye, shadowLights, rangesMetres}, frame, std::move(ids));
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         if (nearer[i]) silhouettes.hostCasters[i].missing = 1;
-        whole[i] = counts.holed[i] || silhouettes.hostCasters[i].missing != 0;
+        whole[i] = found.holed[i] || silhouettes.hostCasters[i].missing != 0 || counts.countsWhole(std::uint32_t(i));
     }
     geometry.setWhole(whole);
-    return counts;
+    return found;
 }
 
 /// Which casters need no volumes, and where those of the others may end.
@@ -185,28 +194,30 @@ void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vecto
 }
 
 void FrameRenderer::Impl::castShadows(const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
-                                      FrameRecorder& recorder, const PlanesOf& planesOf) {
+                                      int frame, FrameRecorder& recorder, const PlanesOf& planesOf) {
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
-    const CountSettings countSettings = findCasters(halve);
+    const CountSettings countSettings = findCasters(halve, lights, frame);
     masks->clear();
     // Also without any light there is one sweep: it sets up the triangles' planes.
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
         const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
         begin("time.silhouettes");
-        std::uint32_t byFail = count->fromInfinity() ? ~0u : 0u;
+        std::uint32_t byFail = counts.fromInfinity(group);
         for (std::uint32_t l = 0; l < group.count; ++l) {
             // z-fail has no constant there and would need caps of both ends; z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
         limitVolumes(group, lights, outputs.counts);
-        findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures}, silhouettes);
+        findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures, counts.withEyeConstant(group)},
+                        silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
+            const bool parallel = parallelToView(*lights[first + l], eye);
             std::vector<CountPlan> plans =
-                count->plan({silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings});
+                counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry);
             LightPlanes& planes = planesOf(lights[first + l]);
             for (const CountPlan& plan : plans) {
                 masks->count(plan, volumes, geometry, silhouettes, group, l);
@@ -287,6 +298,8 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
                                   int frame, Statistics& statistics, const PlacedMoment* before) {
     Impl& r = *impl_;
     r.eye = makeEye(camera, r.settings.width, r.settings.height);
+    r.eye.ledge = r.counts.ledge();
+    glDepthRangef(0.0f, float(1.0 - r.eye.ledge));
     r.shining = lightsThatShine(moment);
     const Eye& eye = r.eye;
     std::vector<const PlacedLight*> lights;
@@ -316,7 +329,8 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.begin("time.gbuffer");
     r.gbuffer.begin(eye.emptyDepth());
     r.surfaces.drawOpaque(r.geometry, r.materials);
-    r.castShadows(lights, outputs, recorder, planesOf);
+    r.castShadows(lights, outputs, frame, recorder, planesOf);
+    pixels.notes = r.counts.takeNotes();
     if (outputs.radiance) pixels.radiance = r.shade();
     gpu::checkGl("while rendering");
     r.profiler.pass(gpu::Profiler::kNoPass);
@@ -328,7 +342,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         if (outputs.samples) r.readSamples(pixels);
     }
     if (outputs.figures && outputs.scene) recorder.scene(pixels.scene);
-    if (outputs.figures) recorder.finish(moment.lights.size() - lights.size());
+    if (outputs.figures) recorder.finish(moment.lights.size() - lights.size(), r.counts.fellBackCount());
     for (const auto& [pass, milliseconds] : r.profiler.collect()) pixels.milliseconds[std::size_t(pass)] = milliseconds;
     return pixels;
 }

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error.h"
+#include "job/names.h"
+
 namespace umbrage {
 namespace {
 
@@ -31,6 +34,12 @@ Technique techniqueAgainst(const Job& job) {
 }
 
 void choose(const Technique& technique, FrameSettings& settings) {
+    if (!canPair(technique.silhouette, technique.count)) {
+        throw Error(ErrorKind::Input, "shadow.count",
+                    fmt::format("{} draws sides from lists, and silhouette {} makes none", technique.count,
+                                technique.silhouette),
+                    "compute, cpu and vertex-reject-readback do");
+    }
     settings.silhouette = technique.silhouette;
     settings.count = technique.count;
 }
@@ -42,6 +51,9 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     settings.samples = job.image.samples;
     settings.shadows = job.shadow.enabled;
     choose(techniqueOf(job), settings);
+    const auto when = std::ranges::find(kWhenInexact, job.shadow.whenInexact, &NameAndMeaning::name);
+    settings.whenInexact = WhenInexact(when - kWhenInexact.begin());
+    settings.extrusionMetres = job.shadow.extrusionMetres;
     settings.eyeConstant = job.shadow.eyeConstant;
     const auto skip = [&](const char* name) {
         const auto found = job.shadow.skips.find(name);

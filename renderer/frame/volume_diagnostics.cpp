@@ -2,6 +2,7 @@
 #include "frame/volume_diagnostics.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "gpu/activity.h"
 #include "image/palette.h"
@@ -72,8 +73,11 @@ void VolumeDiagnostics::measure(std::span<const CountPlan> plans, const LightGro
         pixels_->overdrawUpdates[i] += fill.updates[i];
     }
     if (outputs_->figures) {
-        const bool counted = std::none_of(plans.begin(), plans.end(), [](const CountPlan& p) { return p.allDark; });
-        recorder.light(planes.id, l, silhouettes_, halve, fill, counted, planes.counts);
+        std::optional<int> startLayers = 0;
+        for (const CountPlan& plan : plans) {
+            startLayers = plan.allDark || !startLayers ? std::nullopt : std::optional(*startLayers + plan.eyeLayers);
+        }
+        recorder.light(planes.id, l, silhouettes_, halve, fill, startLayers, planes.counts);
     }
     for (std::size_t i = 0; outputs_->topCasters && i < fill.casters.size(); ++i) {
         FillSums sums;

@@ -127,7 +127,9 @@ struct Job {
 
     struct Shadow {
         bool enabled = true;
-        std::string count = "auto";         // z-pass, z-fail
+        std::string count = "auto";  // of kCounts
+        std::string whenInexact = "fall-back";
+        double extrusionMetres = 0.0;       // 0: chosen
         std::string silhouette = "auto";    // compute, cpu
         bool eyeConstant = true;            // off: the textbook z-pass, wrong with the eye in a volume
         std::map<std::string, bool> skips;  // skip name -> on; absent: on

@@ -132,6 +132,12 @@ Type<Job::Shadow> shadowSettings() {
             field<Shadow>("enabled", boolean(), &Shadow::enabled, "off: everything is lit"),
             field<Shadow>("count", choice(orAuto(namesOf(kCounts))), &Shadow::count,
                           "How pixels are counted: " + meaningsOf(kCounts)),
+            field<Shadow>("whenInexact", choice(namesOf(kWhenInexact)), &Shadow::whenInexact,
+                          "Where the way of counting is not exact and says so: " + meaningsOf(kWhenInexact)),
+            field<Shadow>("extrusion", number(atLeast(0)), &Shadow::extrusionMetres,
+                          "Where volumes of z-fail-finite end, from the light; 0: beyond the box of its range, or of "
+                          "the scene")
+                .in("metres"),
             field<Shadow>("silhouette", choice(orAuto(namesOf(kSilhouettes))), &Shadow::silhouette,
                           "How silhouette edges are found: " + meaningsOf(kSilhouettes)),
             field<Shadow>("eyeConstant", boolean(), &Shadow::eyeConstant,
@@ -159,7 +165,9 @@ Type<Job::Color> colorSettings() {
 std::vector<std::string> allTechniques() {
     std::vector<std::string> names;
     for (const std::string& silhouette : namesOf(kSilhouettes)) {
-        for (const std::string& count : namesOf(kCounts)) names.push_back(silhouette + ":" + count);
+        for (const std::string& count : namesOf(kCounts)) {
+            if (canPair(silhouette, count)) names.push_back(silhouette + ":" + count);
+        }
     }
     return names;
 }

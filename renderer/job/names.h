@@ -12,8 +12,17 @@ struct NameAndMeaning {
     std::string_view name, meaning;
 };
 
+/// A way of counting, and when it claims to be exact: always, where it does not say otherwise itself (then
+/// shadow.whenInexact decides), or never.
+enum class Exact { Always, UnlessItSaysSo, Never };
+struct CountName {
+    std::string_view name, meaning;
+    Exact exact;
+};
+
 inline constexpr std::array kOverlays = {
     NameAndMeaning{"stencil", "shadow counts in false colour"},
+    NameAndMeaning{"stencil-zero", "shadow counts in green where they are zero and in red where not (Kilgard 2001)"},
     NameAndMeaning{"overdraw", "shadow-volume fragments as a heat map"},
     NameAndMeaning{"silhouettes", "silhouette edges of each light"},
     NameAndMeaning{"volumes", "the shadow volumes themselves, translucent, with their edges"},
@@ -41,8 +50,24 @@ inline constexpr std::array kSilhouettes = {
 };
 
 inline constexpr std::array kCounts = {
-    NameAndMeaning{"z-pass", "from the eye, with a constant for the volumes that hold it"},
-    NameAndMeaning{"z-fail", "from infinity, with caps"},
+    CountName{"z-pass", "from the eye, with a constant for the volumes that hold it", Exact::Always},
+    CountName{"z-fail", "from infinity, with caps", Exact::Always},
+    CountName{"near-cap", "from a plane just before the near plane, with caps there", Exact::Always},
+    CountName{"z-pass-plus", "from the near plane, where the light's view of it counts what it cuts", Exact::Never},
+    CountName{"invert", "from the eye, only whether counts are odd", Exact::UnlessItSaysSo},
+    CountName{"z-fail-finite", "from infinity, with volumes that end", Exact::UnlessItSaysSo},
+};
+
+/// Whether a count can draw the sides that a silhouette technique finds: one that cuts volumes needs lists of them.
+constexpr bool canPair(std::string_view silhouette, std::string_view count) {
+    const bool lists = silhouette == "compute" || silhouette == "cpu" || silhouette == "vertex-reject-readback";
+    return lists || count != "near-cap";
+}
+
+inline constexpr std::array kWhenInexact = {
+    NameAndMeaning{"fall-back", "such lights are counted by z-pass, and a note says so"},
+    NameAndMeaning{"refuse", "an error"},
+    NameAndMeaning{"allow", "what comes out comes out"},
 };
 
 inline constexpr std::array kSkips = {

@@ -149,12 +149,26 @@ struct Edge {
 #define EXTENT_FACES 20  // six planes in view space: normal, offset
 #define TALLY_KIND 13
 #define TALLY_FAILED 14
+#define VOLUME_END 9
 
 // Kinds of caps, see cap.vert.glsl.
 #define CAP_TRUE 0
 #define CAP_EDGE_ON 1
 #define CAP_FAR 2
 #define CAP_DARK 3
+#define CAP_SECTION 4     // see near_cap.vert.glsl
+#define CAP_LIGHT_VIEW 5  // see light_view.vert.glsl
+
+// Share of the depth range before the near plane, in frames whose counts begin there (Kilgard 2001: the ledge). A
+// half, because scaling floats by a power of two rounds nothing.
+#define LEDGE 0.5
+
+// What a triangle's volume does at the plane where near-cap begins to count (Kilgard's cases): none of the rays through
+// its corners meets it, all do, or some.
+#define NEAR_CAP_TRIVIAL 0
+#define NEAR_CAP_EASY 1
+#define NEAR_CAP_HARD 2
+#define NEAR_CAP_CASES 3
 
 // A command of glDrawElementsIndirect.
 struct DrawCommand {
@@ -186,6 +200,7 @@ struct CasterState {
 // Per instance: the fragments of a light's volumes, by kind, facing, and the depth test.
 struct CasterFill {
     uint passedFront[FILL_KINDS], passedBack[FILL_KINDS], failedFront[FILL_KINDS], failedBack[FILL_KINDS];
+    uint nearCaps[NEAR_CAP_CASES];  // triangles
 };
 
 // What the silhouette passes say about one light.
@@ -215,9 +230,11 @@ struct ViewData {
     float znear, zfar;  // zfar 0: infinite
     uint perspective;
     uint lightCount;
-    vec2 pixelSize;    // in NDC
-    float emptyDepth;  // where nothing is seen: 0, or that of a perspective camera's zfar (T12)
-    float unusedView;
+    vec2 pixelSize;     // in NDC
+    float emptyDepth;   // where nothing is seen: 0, or that of a perspective camera's zfar (T12)
+    float capDistance;  // of the plane from which near-cap counts, along the view axis (shadow/ledge.h)
+    float sceneDepths;  // what is seen has depths from 0 to this: 1 without a ledge
+    float unusedView1, unusedView2, unusedView3;
 };
 
 struct MaterialData {

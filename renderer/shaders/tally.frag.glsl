@@ -3,12 +3,15 @@
 // pixel is touched and how often its count changes, and with TALLY whose volumes did it. No depth buffer is attached.
 // variant: SAMPLES 4
 // variant: TALLY 1
+// variant: LIGHT_VIEW 1
 // variant: EDGE_ON 1, PUSHED_BACK 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
 #ifdef EDGE_ON
 #include "held_depth.glsl"
+#elif defined(LIGHT_VIEW)
+float heldDepth() { return 2.0; }  // nearer than all
 #else
 float heldDepth() { return gl_FragCoord.z; }
 #endif

@@ -94,6 +94,7 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         if (again) out.capacity = needed + needed / 4;
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];
+            caster.hazards &= options.hazards;
             if (const std::uint32_t found = caster.hazards & changed[i] & ~moved[i]; found != 0) {
                 for (std::uint32_t l = 0; l < group.count; ++l) {
                     if (!(found >> l & 1u)) continue;

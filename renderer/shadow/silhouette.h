@@ -50,8 +50,9 @@ inline std::uint32_t endOfSides(const gpu::CasterState& caster, std::uint32_t l)
 }
 
 struct SweepOptions {
-    bool halve = true;     // LIST_HALVED gets one quad for two crossings, else both
-    bool figures = false;  // also count lit triangles and silhouette edges
+    bool halve = true;            // LIST_HALVED gets one quad for two crossings, else both
+    bool figures = false;         // also count lit triangles and silhouette edges
+    std::uint32_t hazards = ~0u;  // bits of lights: for others nothing depends on an eye constant (T4)
 };
 
 /// What makes the corners of a technique's side quads: quad.vert for those that are listed, or others that end in

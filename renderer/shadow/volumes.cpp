@@ -10,15 +10,23 @@ namespace {
 using Rule = VolumePart::Rule;
 using Kind = VolumePart::Kind;
 
+constexpr GLsizei kCutVertices = 9;  // of a side or cap that is cut: up to five corners
+
 gpu::RasterState rasterState(const VolumePart& part, VolumeRenderer::Into into) {
     using Into = VolumeRenderer::Into;
     gpu::RasterState state;
-    state.depthClamp = true;  // every view ray starts at the eye itself (G5)
+    state.depthClamp = part.start != VolumePart::Start::NearPlane;  // every view ray starts at the eye itself (G5)
     state.depth = gpu::Depth::Nearer;
+    const bool lightView = part.what == CAP_LIGHT_VIEW && part.kind == Kind::Cap;
+    if (lightView) state.depth = gpu::Depth::Off;
     switch (into) {
         case Into::Stencil:
             state.stencil.enabled = true;
-            if (part.rule == Rule::Fail) {
+            if (part.inverts) {
+                const bool fails = part.rule == Rule::Fail;
+                (fails ? state.stencil.frontDepthFail : state.stencil.frontPass) = GL_INVERT;
+                (fails ? state.stencil.backDepthFail : state.stencil.backPass) = GL_INVERT;
+            } else if (part.rule == Rule::Fail) {
                 state.stencil.frontDepthFail = GL_DECR_WRAP;
                 state.stencil.backDepthFail = GL_INCR_WRAP;
             } else {
@@ -69,20 +77,23 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into) const {
     }
 }
 
-VolumeRenderer::Programs VolumeRenderer::programs(const SideShaders& shaders, bool edgeOn, int samples) {
+VolumeRenderer::Programs VolumeRenderer::programs(const SideShaders& shaders, bool edgeOn, int samples, bool finite) {
+    const bool caps = std::string_view(shaders.vertex).find("cap") != std::string_view::npos;
     const auto variant = [&](const char* fragment, gpu::Program::Defines defines) {
         defines.insert(defines.end(), shaders.defines.begin(), shaders.defines.end());
+        if (finite) defines.push_back("FINITE 1");
         return gpu::Program(shaders.vertex, fragment, std::move(defines), shaders.geometry);
     };
     const auto held = [&](const char* fragment, gpu::Program::Defines defines) {
         if (edgeOn) defines.push_back("EDGE_ON 1");
-        if (edgeOn && std::string_view(shaders.vertex) == "cap.vert") defines.push_back("PUSHED_BACK 1");
+        if (std::string_view(shaders.vertex) == "light_view.vert") defines.push_back("LIGHT_VIEW 1");
+        if (edgeOn && caps) defines.push_back("PUSHED_BACK 1");
         return variant(fragment, std::move(defines));
     };
     return {edgeOn ? held("count.frag", {"STENCIL_ONLY 1"}) : variant("", {}),
             held("count.frag", {"SIGNED 1"}),
             held("tally.frag", {"SAMPLES " + std::to_string(samples)}),
-            held("tally.frag", {"TALLY 1", "SAMPLES " + std::to_string(samples)}),
+            held("tally.frag", {"TALLY 1", "CASES 1", "SAMPLES " + std::to_string(samples)}),
             variant("attribution.frag", {"TALLY 1"}),
             variant("hull.frag", {})};
 }
@@ -92,17 +103,62 @@ VolumeRenderer::VolumeRenderer(int samples, SilhouetteTechnique& technique)
       sides_(programs(technique.sideShaders(), false, samples)),
       edgeOnSides_(programs(technique.sideShaders(), true, samples)),
       caps_(programs({"cap.vert"}, false, samples)),
-      edgeOnCaps_(programs({"cap.vert"}, true, samples)) {}
+      edgeOnCaps_(programs({"cap.vert"}, true, samples)),
+      cutSides_(programs({"near_side.vert"}, false, samples)),
+      edgeOnCutSides_(programs({"near_side.vert"}, true, samples)),
+      cutCaps_(programs({"near_cap.vert"}, false, samples)),
+      edgeOnCutCaps_(programs({"near_cap.vert"}, true, samples)),
+      lightViews_(programs({"light_view.vert"}, false, samples)),
+      finiteSides_(programs(technique.sideShaders(), false, samples, true)),
+      edgeOnFiniteSides_(programs(technique.sideShaders(), true, samples, true)),
+      finiteCaps_(programs({"cap.vert"}, false, samples, true)) {}
+
+namespace {
+
+bool isEdgeOn(const VolumePart& part) {
+    return part.kind == Kind::Cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
+}
+
+/// While it lives, what is drawn may also be on the ledge.
+class OnLedge {
+public:
+    explicit OnLedge(bool on) : on_(on) {
+        if (on_) glDepthRangef(0.0f, 1.0f);
+    }
+    ~OnLedge() {
+        if (on_) glDepthRangef(0.0f, 1.0f - float(LEDGE));
+    }
+    OnLedge(const OnLedge&) = delete;
+    OnLedge& operator=(const OnLedge&) = delete;
+
+private:
+    bool on_;
+};
+
+}  // namespace
+
+const VolumeRenderer::Programs& VolumeRenderer::programsOf(const VolumePart& part) const {
+    const bool edgeOn = isEdgeOn(part), cut = part.start == VolumePart::Start::CapPlane;
+    if (part.kind == Kind::Cap) {
+        if (cut) return edgeOn ? edgeOnCutCaps_ : cutCaps_;
+        if (part.what == CAP_LIGHT_VIEW) return lightViews_;
+        if (part.endMetres > 0.0f && !edgeOn) return finiteCaps_;
+        return edgeOn ? edgeOnCaps_ : caps_;
+    }
+    if (part.endMetres > 0.0f) return edgeOn ? edgeOnFiniteSides_ : finiteSides_;
+    if (cut) return edgeOn ? edgeOnCutSides_ : cutSides_;
+    return edgeOn ? edgeOnSides_ : sides_;
+}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
     gpu::RasterState state = rasterState(part, into);
-    const bool cap = part.kind == Kind::Cap, edgeOn = cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
-    state.everySample = edgeOn;  // a depth of its own for each sample
-    const Programs& programs = cap ? (edgeOn ? edgeOnCaps_ : caps_) : (edgeOn ? edgeOnSides_ : sides_);
-    const gpu::Program& program = programs.of(into);
+    state.everySample = isEdgeOn(part);  // a depth of its own for each sample
+    const gpu::Program& program = programsOf(part).of(into);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
+    if (part.endMetres > 0.0f && !(part.kind == Kind::Cap && isEdgeOn(part)))
+        program.uniform(VOLUME_END, part.endMetres);
     if (into == Into::Counter) program.uniform(COUNT_FRONT_VALUE, part.rule == Rule::Fail ? -1.0f : 1.0f);
     if (into == Into::Faces || into == Into::Lines) {
         glProgramUniform4fv(program.name(), HULL_COLOR, 1, &hullColor_[0]);
@@ -114,14 +170,28 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
     geometry.bind();
     silhouettes.bind();
     program.use();
-    if (cap) {
+    const bool cut = part.start == VolumePart::Start::CapPlane;
+    const OnLedge onLedge(cut);
+    if (part.kind == Kind::Cap) {
         drawCap(part, program, state, geometry, silhouettes, group, l);
+        return;
+    }
+    gpu::apply(state);
+    if (cut) {
+        drawCutSides(part, program, silhouettes, l);
     } else {
         glProgramUniform4fv(program.name(), EXTENT_FACES, 6, &silhouettes.extents[l][0][0]);
-        gpu::apply(state);
         ++gpu::activity().draws;
         technique_.drawSides({geometry, silhouettes, group, l, part.what}, program);
     }
+}
+
+void VolumeRenderer::drawCutSides(const VolumePart& part, const gpu::Program& program, const Silhouettes& silhouettes,
+                                  std::uint32_t l) {
+    const gpu::DrawCommand& list = silhouettes.hostSummaries[l].lists[part.what];
+    program.uniform(2, GLuint(list.baseVertex) / 4);
+    ++gpu::activity().draws;
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(list.count / 6 * kCutVertices));
 }
 
 void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state,
@@ -135,16 +205,17 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
     // cap at its own depth must not be nearer by rounding. Before the near plane its depth is clamped: nearer than all.
     state.pushedBack = part.what == CAP_TRUE;
     // Neighbouring instances make one range: the vertex shader drops the padding between them.
+    const GLsizei vertices = part.start == VolumePart::Start::CapPlane ? kCutVertices : 3;  // of a triangle's caps
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;
     std::uint32_t last = 0;
     for (const std::uint32_t i : part.instances) {
         const gpu::InstanceData& instance = geometry.instances()[i];
         if (firsts.empty() || i != last + 1) {
-            firsts.push_back(GLint(3 * instance.placedTriangleBase));
+            firsts.push_back(vertices * GLint(instance.placedTriangleBase));
             counts.push_back(0);
         }
-        counts.back() = GLsizei(3 * (instance.placedTriangleBase + instance.triangleCount)) - firsts.back();
+        counts.back() = vertices * GLsizei(instance.placedTriangleBase + instance.triangleCount) - firsts.back();
         last = i;
     }
     gpu::apply(state);

@@ -18,10 +18,18 @@ struct VolumePart {
         Pass,  // +1 front, -1 back where nearer than what is seen
         Fail,  // -1 front, +1 back where not nearer
     };
+    enum class Start {
+        Eye,  // view rays begin at the eye itself
+        NearPlane,
+        CapPlane,  // at the plane in the middle of the ledge, by which everything is cut (shadow/ledge.h)
+    };
     Kind kind = Kind::Sides;
     Rule rule = Rule::Pass;
+    Start start = Start::Eye;
     std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
     std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
+    float endMetres = 0.0f;                // where volumes end, from the light; 0: nowhere
+    bool inverts = false;                  // every crossing inverts the count's bits, of which only parity is left
 };
 
 /// Draws parts of volumes into whatever framebuffer is bound.
@@ -50,12 +58,17 @@ private:
         gpu::Program stencil, counter, fill, tally, casters, hull;
         const gpu::Program& of(Into into) const;
     };
-    static Programs programs(const SideShaders& shaders, bool edgeOn, int samples);
+    static Programs programs(const SideShaders& shaders, bool edgeOn, int samples, bool finite = false);
+    const Programs& programsOf(const VolumePart& part) const;
+    void drawCutSides(const VolumePart& part, const gpu::Program& program, const Silhouettes& silhouettes,
+                      std::uint32_t l);
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
     SilhouetteTechnique& technique_;
     Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
+    Programs cutSides_, edgeOnCutSides_, cutCaps_, edgeOnCutCaps_, lightViews_;
+    Programs finiteSides_, edgeOnFiniteSides_, finiteCaps_;
     gpu::VertexArray noVertices_{"caps of volumes"};
     glm::vec4 hullColor_{1.0f};
 };
