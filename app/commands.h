@@ -8,6 +8,7 @@ namespace umbrage {
 
 int runRender(const RenderOptions& options, bool quiet);
 int runVerify(const VerifyCommandOptions& options, bool quiet);
+int runBench(const BenchCommandOptions& options, bool quiet);
 int runInspect(const InspectOptions& options);
 int runStats(const StatsOptions& options);
 int runDevices();

@@ -16,6 +16,7 @@ int run(int argc, char** argv) {
     if (!options) return exitCode;
     if (options->render) return runRender(*options->render, options->quiet);
     if (options->verify) return runVerify(*options->verify, options->quiet);
+    if (options->bench) return runBench(*options->bench, options->quiet);
     if (options->inspect) return runInspect(*options->inspect);
     if (options->stats) return runStats(*options->stats);
     if (options->schema) return runSchema(*options->schema);

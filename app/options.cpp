@@ -28,6 +28,7 @@ constexpr const char* kFooter =
     "  umbrage render scene.glb --size 640x480 --set shadow.count=z-fail\n"
     "  umbrage verify configs/stress/*.yaml --techniques all --json stress.json\n"
     "  umbrage stats out/statistics.json --compare before.json\n"
+    "  umbrage bench configs/bench/laine.yaml --json laine.json\n"
     "  umbrage inspect scene.glb";
 
 void addJob(CLI::App& app, JobOptions& o) {
@@ -119,6 +120,18 @@ void addVerify(CLI::App& app, VerifyCommandOptions& o) {
     addRun(app, o.device, o.progress, o.allowExternalFiles);
 }
 
+void addBench(CLI::App& app, BenchCommandOptions& o) {
+    app.add_option("file", o.file, "what to measure (.yaml, docs/bench.md)")->required();
+    app.add_option("--rounds", o.rounds, "how often everything is timed, instead of what the file says")
+        ->check(CLI::Range(1, 1000))
+        ->option_text("INT");
+    app.add_option("--out", o.out, "folder for plots and pictures")->capture_default_str();
+    app.add_option("--json", o.json, "file for programs: the tables");
+    app.add_option("--csv", o.csv, "file for programs: a line for each number");
+    app.add_option("--markdown", o.markdown, "file for documents: the tables and how they were made");
+    addRun(app, o.device, o.progress, o.allowExternalFiles);
+}
+
 CLI::Validator endingWith(const std::vector<std::string>& endings) {
     const std::string what = fmt::format("{}", fmt::join(endings, " or "));
     return CLI::Validator(
@@ -195,6 +208,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     Options options;
     RenderOptions render;
     VerifyCommandOptions verify;
+    BenchCommandOptions bench;
     InspectOptions inspect;
     StatsOptions stats;
     SchemaOptions schema;
@@ -209,6 +223,8 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     addRender(*renderCommand, render);
     CLI::App* verifyCommand = app.add_subcommand("verify", "judge shadows against the exact answer");
     addVerify(*verifyCommand, verify);
+    CLI::App* benchCommand = app.add_subcommand("bench", "measure what a bench file asks for");
+    addBench(*benchCommand, bench);
     CLI::App* inspectCommand = app.add_subcommand("inspect", "say what is in a scene");
     inspectCommand->add_option("scene", inspect.scene, "scene (.gltf, .glb)")->required();
     inspectCommand->add_flag("--allow-external-files", inspect.allowExternalFiles,
@@ -219,6 +235,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     CLI::App* schemaCommand = app.add_subcommand("schema", "print the JSON Schema of sequence files");
     schemaCommand->add_flag("--markdown", schema.markdown, "the reference page instead");
     schemaCommand->add_flag("--statistics", schema.statistics, "of statistics files instead");
+    schemaCommand->add_flag("--bench", schema.bench, "of bench files instead; with --markdown their reference page");
     schemaCommand->add_flag("--aovs", schema.aovs, "the reference page of the AOVs instead");
     try {
         app.parse(argc, argv);
@@ -230,6 +247,10 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     if (*verifyCommand) {
         verify.commandLine = commandLine(argc, argv);
         options.verify = verify;
+    }
+    if (*benchCommand) {
+        bench.commandLine = commandLine(argc, argv);
+        options.bench = bench;
     }
     if (*inspectCommand) options.inspect = inspect;
     if (*statsCommand) options.stats = stats;

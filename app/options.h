@@ -44,6 +44,15 @@ struct VerifyCommandOptions {
     std::string commandLine;  // as typed, for reports
 };
 
+struct BenchCommandOptions {
+    std::string file;
+    std::string out = "out/bench", json, csv, markdown, device = "auto";
+    int rounds = 0;  // 0: as the file says
+    bool allowExternalFiles = false;
+    ProgressKind progress = ProgressKind::Auto;
+    std::string commandLine;  // as typed, for reports
+};
+
 struct InspectOptions {
     std::string scene;
     bool allowExternalFiles = false;
@@ -56,12 +65,13 @@ struct StatsOptions {
 };
 
 struct SchemaOptions {
-    bool markdown = false, aovs = false, statistics = false;
+    bool markdown = false, aovs = false, statistics = false, bench = false;
 };
 
 struct Options {
     std::optional<RenderOptions> render;
     std::optional<VerifyCommandOptions> verify;
+    std::optional<BenchCommandOptions> bench;
     std::optional<InspectOptions> inspect;
     std::optional<StatsOptions> stats;
     std::optional<SchemaOptions> schema;

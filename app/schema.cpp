@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 
+#include "bench/bench_file.h"
 #include "commands.h"
 #include "diagnostics/statistics_file.h"
 #include "exit_codes.h"
@@ -12,6 +13,7 @@ namespace umbrage {
 int runSchema(const SchemaOptions& options) {
     const bool page = options.markdown;
     const std::string text = options.aovs         ? aovReference()
+                             : options.bench      ? (page ? benchReference() : benchSchema())
                              : options.statistics ? (page ? statisticsReference() : statisticsSchema())
                                                   : (page ? jobReference() : jobSchema());
     std::fputs(text.c_str(), stdout);

@@ -14,6 +14,7 @@
 #include "exit_codes.h"
 #include "frame/settings.h"
 #include "interrupt.h"
+#include "job/names.h"
 #include "job_input.h"
 #include "progress.h"
 #include "report/error_picture.h"
@@ -54,9 +55,15 @@ Fault faultOf(const std::string& name) {
     return found == kFaults.end() ? Fault::None : found->fault;
 }
 
-/// The textbook's z-pass and pictures without shadows are wrong by choice.
+/// Some techniques claim nothing; the textbook's z-pass and pictures without shadows are wrong by choice.
 bool claimsExactness(const std::optional<Job>& job, const std::string& technique) {
-    return !job || (job->shadow.enabled && (job->shadow.eyeConstant || !technique.ends_with(":z-pass")));
+    const std::string name = technique.substr(technique.find(':') + 1);
+    const Exact exact = std::ranges::find(kCounts, name, &CountName::name)->exact;
+    if (exact == Exact::Never) return false;
+    if (!job) return true;
+    const bool forced = exact == Exact::UnlessItSaysSo && job->shadow.whenInexact == "allow";
+    const bool textbook = !job->shadow.eyeConstant && (name == "z-pass" || name == "invert");
+    return job->shadow.enabled && !forced && !textbook;
 }
 
 /// Puts verdicts of one sequence into the report and draws what is wrong.

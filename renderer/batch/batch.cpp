@@ -55,7 +55,7 @@ void say(const Composition& composition, const gpu::Context& context, const Fram
     for (const std::string& note : composition.scene.notes) observer.note(note);
     observer.note(fmt::format("device: {} ({})", context.info().renderer, context.info().version));
     if (outputs.counts) {
-        observer.note("counts are asked for, so the skips that change them are off: halve, range");
+        observer.note("counts are asked for, so the skips that change them are off: halve, range, view, extent");
     }
 }
 
@@ -132,7 +132,9 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
         };
         for (const int frame : frames) {
             if (interrupted) break;
-            queue.push(maker.make(frame, statistics));
+            WriteQueue::Item item = maker.make(frame, statistics);
+            for (const std::string& note : item.pixels->notes) observer.note(note);
+            queue.push(std::move(item));
             collect(queue.takeDone());
         }
         collect(queue.finish());

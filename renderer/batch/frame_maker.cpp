@@ -8,20 +8,12 @@
 #include <vector>
 
 #include "batch/frame_files.h"
+#include "diagnostics/median.h"
 #include "frame/settings.h"
 
 namespace umbrage {
-namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-}  // namespace
 
 FrameMaker::FrameMaker(const Job& job, const Composition& composition, const Moment& first, const gpu::Context& context)
     : job_(job),
@@ -35,9 +27,7 @@ FrameMaker::FrameMaker(const Job& job, const Composition& composition, const Mom
 }
 
 PlacedMoment FrameMaker::at(int frame) const {
-    Moment moment = evaluate(composition_.scene, composition_.animations, frameSeconds(job_, frame));
-    const PlacedCamera camera = placeCamera(composition_.scene, moment, composition_.cameraNode);
-    return {std::move(moment), camera};
+    return placedMoment(job_, composition_, frame);
 }
 
 WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
@@ -56,7 +46,7 @@ WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
     }
     if (job_.diagnostics.profile) {
         for (const auto& [counter, values] : milliseconds) {
-            statistics.record(frame, {}, Counter::at(counter), medianOf(values));
+            statistics.record(frame, {}, Counter::at(counter), median(values));
         }
         statistics.record(frame, {}, "memory.peak", peakHostMemoryMebibytes());
     }

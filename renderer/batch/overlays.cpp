@@ -58,12 +58,27 @@ RgbPicture falseColor(const OverlayInput& in, const std::vector<float>& counts, 
     return std::move(canvas).take();
 }
 
-RgbPicture stencilPicture(const OverlayInput& in) {
+std::vector<float> largestCounts(const OverlayInput& in) {
     std::vector<float> largest(pixelCount(in));
     for (const LightPlanes& light : in.pixels.lights) {
         for (std::size_t i = 0; i < largest.size(); ++i) largest[i] = std::max(largest[i], float(light.counts[i]));
     }
-    return falseColor(in, largest, {"shadow count, highest of all lights", 16.0f}, in.technique);
+    return largest;
+}
+
+RgbPicture stencilPicture(const OverlayInput& in) {
+    return falseColor(in, largestCounts(in), {"shadow count, highest of all lights", 16.0f}, in.technique);
+}
+
+RgbPicture stencilZeroPicture(const OverlayInput& in) {
+    const KeyEntry key[] = {{{0, 150, 0}, "0"}, {{255, 0, 0}, "1"}, {{190, 0, 0}, "2"}, {{120, 0, 0}, "3 and more"}};
+    const std::vector<float> counts = largestCounts(in);
+    Canvas canvas = dimmed(in);
+    forPixels(in, [&](std::size_t i, int x, int y) {
+        canvas.blend(x, y, key[std::min(std::size_t(counts[i]), std::size(key) - 1)].color, 0.7f);
+    });
+    drawKey(canvas, "shadow count, highest of all lights", key);
+    return finished(std::move(canvas), in, "");
 }
 
 RgbPicture overdrawOf(const OverlayInput& in, const FramePixels& pixels, const std::string& technique) {
@@ -88,44 +103,94 @@ std::vector<KeyEntry> keyOfLights(const OverlayInput& in) {
     return key;
 }
 
+/// @param aov  of lines; none where the light is off
+void drawLines(Canvas& canvas, const OverlayInput& in, const AovPlanes& planes, const char* aov, const Rgb8& color) {
+    const auto plane = planes.find(aov);
+    if (plane == planes.end() || plane->second.values.empty()) return;
+    forPixels(in,
+              [&](std::size_t i, int x, int y) { canvas.blend(x, y, color, std::min(plane->second.values[i], 1.0f)); });
+}
+
 RgbPicture silhouettePicture(const OverlayInput& in) {
     Canvas canvas = dimmed(in);
     for (std::size_t l = 0; l < in.pixels.lights.size(); ++l) {
-        const auto plane = in.pixels.lights[l].aovs.find("silhouette");
-        if (plane == in.pixels.lights[l].aovs.end() || plane->second.values.empty()) continue;
-        forPixels(in, [&](std::size_t i, int x, int y) {
-            canvas.blend(x, y, categoryColor(l), std::min(plane->second.values[i], 1.0f));
-        });
+        drawLines(canvas, in, in.pixels.lights[l].aovs, "silhouette", categoryColor(l));
     }
     drawKey(canvas, "silhouette edges of light", keyOfLights(in));
     return finished(std::move(canvas), in, "");
 }
 
 /// @param weighted  RGBA: colours added up, and their weights
-/// @param opacityOf  of a weight
+/// @param coverageOf  of such a pixel
 RgbPicture weightedPicture(const OverlayInput& in, const std::vector<float>& weighted, const char* title,
-                           float (*opacityOf)(float)) {
+                           float (*coverageOf)(const float*)) {
     Canvas canvas = dimmed(in);
     forPixels(in, [&](std::size_t i, int x, int y) {
         const float* p = &weighted[4 * i];
         if (p[3] <= 0.0f) return;
         Rgb8 color;
         for (std::size_t c = 0; c < 3; ++c) color[c] = std::uint8_t(255.0f * std::min(p[c] / p[3], 1.0f) + 0.5f);
-        canvas.blend(x, y, color, opacityOf(p[3]));
+        canvas.blend(x, y, color, coverageOf(p));
     });
     drawKey(canvas, title, keyOfLights(in));
     return finished(std::move(canvas), in, "");
 }
 
+/// One face is a breath, some hundreds are not yet a wall.
+float hullCoverage(const float* hull) {
+    return std::min(0.1f * std::log2(1.0f + hull[3]), 0.85f);
+}
+
 RgbPicture volumesPicture(const OverlayInput& in) {
-    // One face is a breath, some hundreds are not yet a wall.
-    return weightedPicture(in, in.pixels.hulls, "shadow volumes of light",
-                           [](float faces) { return std::min(0.1f * std::log2(1.0f + faces), 0.85f); });
+    return weightedPicture(in, in.pixels.hulls, "shadow volumes of light", hullCoverage);
 }
 
 RgbPicture splitPlanePicture(const OverlayInput& in) {
     return weightedPicture(in, in.pixels.splitPlanes, "split planes of light",
-                           [](float planes) { return std::min(0.5f * planes, 0.7f); });
+                           [](const float* planes) { return std::min(0.5f * planes[3], 0.7f); });
+}
+
+/// Brabec & Seidel 2003, figure 5.
+RgbPicture extractionPicture(const OverlayInput& in) {
+    constexpr Rgb8 kEdge{255, 225, 0}, kVolume{225, 25, 20};
+    Canvas canvas = dimmed(in);
+    forPixels(in,
+              [&](std::size_t i, int x, int y) { canvas.blend(x, y, kVolume, hullCoverage(&in.pixels.hulls[4 * i])); });
+    std::vector<KeyEntry> key{{kVolume, "shadow volumes of all lights"}};
+    if (!in.pixels.lights.empty()) {
+        const LightPlanes& first = in.pixels.lights.front();
+        drawLines(canvas, in, first.aovs, "silhouette", kEdge);
+        key.push_back({kEdge, "silhouette edges of " + first.id});
+    }
+    drawKey(canvas, "extraction", key);
+    return finished(std::move(canvas), in, "");
+}
+
+/// Brabec & Seidel 2003, section 7: flat tones, and ink where the silhouette that the eye sees is. White paper where
+/// nothing was shaded.
+RgbPicture toonPicture(const OverlayInput& in) {
+    constexpr float kTones = 4.0f;  // beside black
+    Canvas canvas(in.width, in.height);
+    forPixels(in, [&](std::size_t i, int x, int y) {
+        Rgb8 color{255, 255, 255};
+        if (!in.beautyRgb.empty()) {
+            const std::uint8_t* rgb = &in.beautyRgb[3 * i];
+            const float tone = std::max(greyOf(rgb), 1.0f) / 255.0f, flat = std::round(kTones * tone) / kTones;
+            for (std::size_t c = 0; c < 3; ++c) color[c] = std::uint8_t(std::min(255.0f, float(rgb[c]) * flat / tone));
+        }
+        canvas.set(x, y, color);
+    });
+    const std::vector<float>& contour = in.pixels.aovs.find("contour")->second.values;
+    forPixels(in, [&](std::size_t i, int x, int y) {
+        if (contour[i] <= 0.0f) return;
+        // Three pixels wide, as far as they are in the picture.
+        for (const auto& [right, down] : {std::pair{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+            if (x + right >= 0 && x + right < in.width && y + down >= 0 && y + down < in.height) {
+                canvas.set(x + right, y + down, {});
+            }
+        }
+    });
+    return finished(std::move(canvas), in, "");
 }
 
 RgbPicture castersPicture(const OverlayInput& in) {
@@ -210,11 +275,19 @@ struct Overlay {
 };
 constexpr Overlay kOverlayPictures[] = {
     {"stencil", [](FrameOutputs& o) { o.counts = true; }, stencilPicture},
+    {"stencil-zero", [](FrameOutputs& o) { o.counts = true; }, stencilZeroPicture},
     {"overdraw", [](FrameOutputs& o) { o.overdraw = true; }, overdrawPicture},
     {"updates", [](FrameOutputs& o) { o.overdraw = true; }, updatesPicture},
     {"silhouettes", [](FrameOutputs& o) { o.aovs.emplace("silhouette"); }, silhouettePicture},
     {"volumes", [](FrameOutputs& o) { o.hulls = true; }, volumesPicture},
     {"split-plane", [](FrameOutputs& o) { o.splitPlanes = o.geometry = true; }, splitPlanePicture},
+    {"extraction",
+     [](FrameOutputs& o) {
+         o.hulls = true;
+         o.aovs.emplace("silhouette");
+     },
+     extractionPicture},
+    {"toon", [](FrameOutputs& o) { o.aovs.emplace("contour"); }, toonPicture},
     {"casters", [](FrameOutputs& o) { o.topCasters = true; }, castersPicture},
     {"tiles", [](FrameOutputs& o) { o.overdraw = true; }, tilesPicture},
     {"techniques", [](FrameOutputs& o) { o.overdraw = true; }, techniquesPicture},

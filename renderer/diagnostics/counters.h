@@ -39,6 +39,9 @@ inline constexpr std::array kCounters{
     CounterInfo{"quads", "count", "sides of shadow volumes that are drawn, multiplicities included"},
     CounterInfo{"caps.light", "count", "triangles drawn as light caps"},
     CounterInfo{"caps.dark", "count", "triangles drawn as dark caps"},
+    CounterInfo{"caps.near.trivial", "count", "triangles of casters with near caps, none of whose rays from the light meets the plane of caps"},
+    CounterInfo{"caps.near.easy", "count", "of the same casters, triangles all of whose rays do"},
+    CounterInfo{"caps.near.hard", "count", "of the same casters, the others"},
     // fill
     CounterInfo{"overdraw.fragments", "count", "fragments of shadow volumes"},
     CounterInfo{"overdraw.sides", "count", "of them, those of sides"},
@@ -59,6 +62,9 @@ inline constexpr std::array kCounters{
     CounterInfo{"eye.constant", "count", "shadow volumes that hold the eye"},
     CounterInfo{"casters.zfail", "count", "casters counted by z-fail because the eye is near their volumes"},
     CounterInfo{"casters.outOfReach", "count", "casters skipped because the light's range ends before them"},
+    CounterInfo{"casters.outOfView", "count", "casters skipped because no view ray meets them or their volumes"},
+    CounterInfo{"casters.ended", "count", "casters the sides of whose volumes end behind all that the light can shine on"},
+    CounterInfo{"lights.fellBack", "count", "lights counted by z-pass where the chosen technique is not exact"},
     CounterInfo{"lights.skipped", "count", "lights that provably change no pixel of the frame"},
     // device
     CounterInfo{"device.draws", "count", "draw calls"},

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "error.h"
+#include "frame/light_counts.h"
 #include "frame/read_aovs.h"
 #include "frame/record.h"
 #include "frame/volume_diagnostics.h"
@@ -20,6 +21,7 @@
 #include "shadow/caster_parts.h"
 #include "shadow/counts.h"
 #include "shadow/depth_samples.h"
+#include "shadow/extent.h"
 #include "shadow/geometry.h"
 #include "shadow/layers.h"
 #include "shadow/masks.h"
@@ -71,19 +73,20 @@ struct FrameRenderer::Impl {
     GBuffer gbuffer;
     Resolve resolve;
     std::unique_ptr<SilhouetteTechnique> technique;
-    std::unique_ptr<CountTechnique> count;
+    LightCounts counts;
     Silhouettes silhouettes;
     std::unique_ptr<CasterParts> casterParts;  // these two where counts are made by parts
     std::unique_ptr<DepthSampler> depthSampler;
     std::vector<LightParts> parts;  // of all lights of the frame, where somebody wants to see them
     LayerBound layerBound{geometry};
-    VolumeRenderer volumes{settings.samples};
+    VolumeRenderer volumes{settings.samples, *technique};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
     AovReader aovs{scene, geometry, materials, surfaces, gbuffer, resolve};
     std::vector<Geometry::Bounds> boxes;  // per instance, in the world, this frame
     std::unique_ptr<Masks> masks;         // made anew when the number of groups of lights grows
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
-    Eye eye;                           // of the last frame
+    Eye eye;  // of the last frame
+    std::vector<ShadowLight> shadowLights;
     std::vector<std::size_t> shining;  // its lights that are on, as positions in the moment's list
 
     Impl(const Scene& s, const Moment& first, const FrameSettings& wanted, const gpu::Context& context)
@@ -96,8 +99,8 @@ struct FrameRenderer::Impl {
           gbuffer(wanted.width, wanted.height, checkedSamples(wanted.samples, context)),
           resolve(gbuffer),
           technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)),
-          count(makeCountTechnique(wanted.count)) {
-        if (!count->byParts()) return;
+          counts(wanted) {
+        if (!counts.byParts()) return;
         casterParts = std::make_unique<CasterParts>(s, first, geometry, wanted.parts);
         silhouettes.parts = &casterParts->onDevice();
         depthSampler = std::make_unique<DepthSampler>(gbuffer.depthStencil);
@@ -106,11 +109,11 @@ struct FrameRenderer::Impl {
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
     void uploadView(const std::vector<const PlacedLight*>& lights);
-    CountSettings findCasters(bool halve);
+    CountSettings findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame);
     void chooseParts(const Moment& moment, const std::vector<const PlacedLight*>& lights, const LightGroup& group);
-    void markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool skip);
+    void limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool exactCounts);
     void castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
-                     FrameRecorder& recorder, const PlanesOf& planesOf);
+                     int frame, FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
     void drawSplitPlanes(const std::vector<const PlacedLight*>& lights, FramePixels& pixels) const;
     void readSamples(FramePixels& pixels);
@@ -127,7 +130,7 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
     viewBuffer.bindUniform(BIND_VIEW);
 
     std::vector<gpu::LightData> data;
-    std::vector<ShadowLight> shadowLights;
+    shadowLights.clear();
     for (const PlacedLight* light : lights) {
         data.push_back(lightData(*light, eye));
         shadowLights.push_back(shadowLight(*light));
@@ -143,7 +146,7 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
 }
 
 /// T1: casters that are partly missing from the depth buffer need caps and are counted whole.
-CountSettings FrameRenderer::Impl::findCasters(bool halve) {
+CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame) {
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
     silhouettes.casters.clearToZero();
     gbuffer.depthOnly.bind();
@@ -151,31 +154,55 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve) {
     silhouettes.hostCasters.resize(geometry.instanceCount());
     silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
                              silhouettes.hostCasters.data());
-    CountSettings counts;
-    counts.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
-    counts.halve = halve;
-    counts.perspective = eye.perspective;
+    CountSettings found;
+    found.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
+    found.halve = halve;
+    found.perspective = eye.perspective;
     const std::vector<Geometry::Bounds> modelBounds = geometry.modelBounds();
     boxes = worldBounds(geometry, modelBounds);
     const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
-    counts.holed = surfaces.holed();
+    found.holed = surfaces.holed();
+    std::vector<std::string> ids;
+    std::vector<double> rangesMetres;
+    for (const PlacedLight* light : lights) {
+        ids.push_back(light->id);
+        rangesMetres.push_back(light->light.rangeMetres);
+    }
+    counts.begin({geometry, modelBounds, eye, shadowLights, rangesMetres}, frame, std::move(ids));
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         if (nearer[i]) silhouettes.hostCasters[i].missing = 1;
-        whole[i] = counts.holed[i] || silhouettes.hostCasters[i].missing != 0;
+        whole[i] = found.holed[i] || silhouettes.hostCasters[i].missing != 0 || counts.countsWhole(std::uint32_t(i));
     }
     geometry.setWhole(whole);
-    return counts;
+    return found;
 }
 
-void FrameRenderer::Impl::markOutOfReach(const LightGroup& group, const std::vector<const PlacedLight*>& lights,
-                                         bool skip) {
-    for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
-        std::uint32_t& bits = silhouettes.hostCasters[i].outOfReach;
-        bits = 0;
-        for (std::uint32_t l = 0; skip && l < group.count; ++l) {
-            const PlacedLight& light = *lights[group.first + l];
-            bits |= std::uint32_t(outOfReach(boxes[i], light.position, light.light.rangeMetres)) << l;
+/// Which casters need no volumes, and where those of the others may end.
+/// @param exactCounts  counts matter, not only whether they are zero: no skip that changes them
+void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights,
+                                       bool exactCounts) {
+    for (gpu::CasterState& caster : silhouettes.hostCasters) {
+        caster.outOfReach = caster.outOfView = 0;
+        std::fill(std::begin(caster.ends), std::end(caster.ends), 0u);
+    }
+    silhouettes.extents.assign(group.count, {});
+    const std::array<HalfSpace, 4> view = sidesOfView(eye);
+    for (std::uint32_t l = 0; l < group.count && !exactCounts; ++l) {
+        const PlacedLight& light = *lights[group.first + l];
+        const ShadowLight place = shadowLight(light);
+        const LightExtent extent(boxes, place, light.light.rangeMetres, eye);
+        silhouettes.extents[l] = extent.facesInView(eye);
+        for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
+            gpu::CasterState& caster = silhouettes.hostCasters[i];
+            const bool beyond =
+                settings.skipOutOfReach && outOfReach(boxes[i], light.position, light.light.rangeMetres);
+            const bool unseen = settings.skipOutOfView && outOfView(boxes[i], place, view);
+            caster.outOfReach |= std::uint32_t(beyond) << l;
+            caster.outOfView |= std::uint32_t(unseen) << l;
+            // By parts any caster may be counted from infinity somewhere, and then ends in its caps there.
+            if (!settings.endSides || counts.byParts() || beyond || unseen) continue;
+            caster.ends[l / 10] |= extent.endOf(boxes[i]) << (3 * (l % 10));
         }
     }
 }
@@ -190,33 +217,36 @@ void FrameRenderer::Impl::chooseParts(const Moment& moment, const std::vector<co
 }
 
 void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights,
-                                      const FrameOutputs& outputs, FrameRecorder& recorder, const PlanesOf& planesOf) {
+                                      const FrameOutputs& outputs, int frame, FrameRecorder& recorder,
+                                      const PlanesOf& planesOf) {
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
-    const CountSettings countSettings = findCasters(halve);
+    const CountSettings countSettings = findCasters(halve, lights, frame);
     masks->clear();
     parts.clear();
     // Also without any light there is one sweep: it sets up the triangles' planes.
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
         const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
         begin("time.silhouettes");
-        std::uint32_t byFail = count->fromInfinity() ? ~0u : 0u;
+        std::uint32_t byFail = counts.fromInfinity(group);
         for (std::uint32_t l = 0; l < group.count; ++l) {
             // z-fail has no constant there and would need caps of both ends; z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
-        markOutOfReach(group, lights, settings.skipOutOfReach && !outputs.counts);
+        limitVolumes(group, lights, outputs.counts);
         if (casterParts) chooseParts(moment, lights, group);
         if (casterParts && outputs.splitPlanes) {
             parts.insert(parts.end(), casterParts->chosen().begin(), casterParts->chosen().end());
         }
-        findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures}, silhouettes);
+        findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures, counts.withEyeConstant(group)},
+                        silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
+            const bool parallel = parallelToView(*lights[first + l], eye);
             std::vector<CountPlan> plans =
-                count->plan({silhouettes, group, l, layers[l], parallelToView(*lights[first + l], eye), countSettings});
+                counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry);
             LightPlanes& planes = planesOf(lights[first + l]);
             for (const CountPlan& plan : plans) {
                 masks->count(plan, volumes, geometry, silhouettes, group, l);
@@ -229,7 +259,7 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
             }
             if (outputs.wants("silhouette")) {
                 const gpu::Uncounted uncounted;
-                planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, l);
+                planes.aovs["silhouette"].values = aovs.readSilhouette(silhouettes, group, l);
             }
         }
         diagnostics.endGroup(group);
@@ -308,6 +338,8 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
                                   int frame, Statistics& statistics, const PlacedMoment* before) {
     Impl& r = *impl_;
     r.eye = makeEye(camera, r.settings.width, r.settings.height);
+    r.eye.ledge = r.counts.ledge();
+    glDepthRangef(0.0f, float(1.0 - r.eye.ledge));
     r.shining = lightsThatShine(moment);
     const Eye& eye = r.eye;
     std::vector<const PlacedLight*> lights;
@@ -337,7 +369,8 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.begin("time.gbuffer");
     r.gbuffer.begin(eye.emptyDepth());
     r.surfaces.drawOpaque(r.geometry, r.materials);
-    r.castShadows(moment, lights, outputs, recorder, planesOf);
+    r.castShadows(moment, lights, outputs, frame, recorder, planesOf);
+    pixels.notes = r.counts.takeNotes();
     if (outputs.radiance) pixels.radiance = r.shade();
     gpu::checkGl("while rendering");
     r.profiler.pass(gpu::Profiler::kNoPass);
@@ -350,7 +383,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         if (outputs.splitPlanes) r.drawSplitPlanes(lights, pixels);
     }
     if (outputs.figures && outputs.scene) recorder.scene(pixels.scene);
-    if (outputs.figures) recorder.finish(moment.lights.size() - lights.size());
+    if (outputs.figures) recorder.finish(moment.lights.size() - lights.size(), r.counts.fellBackCount());
     for (const auto& [pass, milliseconds] : r.profiler.collect()) pixels.milliseconds[std::size_t(pass)] = milliseconds;
     return pixels;
 }

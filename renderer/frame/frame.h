@@ -19,15 +19,22 @@
 
 namespace umbrage {
 
+/// What becomes of a light that the chosen technique does not count exactly, as it says itself.
+enum class WhenInexact { FallBack, Refuse, Allow };  // in the order of kWhenInexact
+
 struct FrameSettings {
     int width = 1024, height = 768, samples = 1;
     bool shadows = true;
     std::string silhouette = "compute", count = "z-pass";  // of kSilhouettes and kCounts
+    WhenInexact whenInexact = WhenInexact::FallBack;
+    double extrusionMetres = 0.0;  // of z-fail-finite; 0: chosen
     bool eyeConstant = true;
     JobParts parts;
     // Skips: without effect on picture and masks. They change counts, so they are off whenever counts are asked for.
     bool halveEvenComponents = true;  // see shadow/counts.h
     bool skipOutOfReach = true;       // see shadow/bounds.h
+    bool skipOutOfView = true;        // these two: see shadow/extent.h
+    bool endSides = true;             // moves corners, so that a mask may differ on a boundary
     glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
     bool profile = false;
     Fault fault = Fault::None;  // planted on purpose, for the judge's own tests
@@ -91,6 +98,7 @@ struct FramePixels {
     std::vector<FillingCaster> topCasters;  // ten at most, the one that fills most first
     AovPlanes aovs;                         // the others
     SeenSamples seen;
+    std::vector<std::string> notes;              // for people, each once in a renderer's life
     std::map<std::size_t, double> milliseconds;  // per pass, by its counter's place; only when profiled
 };
 

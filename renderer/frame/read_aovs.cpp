@@ -18,7 +18,8 @@ AovReader::AovReader(const Scene& scene, Geometry& geometry, const Materials& ma
       surfaces_(surfaces),
       gbuffer_(gbuffer),
       resolve_(resolve),
-      lineProgram_("outline.vert", "outline.frag", {fmt::format("SAMPLES {}", gbuffer.samples())}) {}
+      silhouetteProgram_("outline.vert", "outline.frag", {fmt::format("SAMPLES {}", gbuffer.samples())}),
+      contourProgram_("outline.vert", "outline.frag", {fmt::format("SAMPLES {}", gbuffer.samples()), "CONTOUR 1"}) {}
 
 void AovReader::placeBefore(const PlacedMoment& before, const Eye& eye) {
     const Eye eyeBefore = makeEye(before.camera, gbuffer_.width(), gbuffer_.height());
@@ -38,7 +39,13 @@ void AovReader::placeBefore(const PlacedMoment& before, const Eye& eye) {
     previous_.viewFromModel.write(std::span<const gpu::vec4>(rows));
 }
 
-std::vector<float> AovReader::readSilhouette(const Silhouettes& silhouettes, std::uint32_t l) {
+std::vector<float> AovReader::readSilhouette(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    silhouetteProgram_.uniform(0, silhouettes.facingBase(group));
+    silhouetteProgram_.uniform(1, l);
+    return readLines(silhouetteProgram_, silhouettes);
+}
+
+std::vector<float> AovReader::readLines(const gpu::Program& program, const Silhouettes& silhouettes) {
     if (!lines_) lines_ = gpu::ScreenTarget("silhouette edges", GL_R8, {gbuffer_.width(), gbuffer_.height()}, nullptr);
     lines_.clear();
     lines_.framebuffer().bind();
@@ -48,13 +55,10 @@ std::vector<float> AovReader::readSilhouette(const Silhouettes& silhouettes, std
     geometry_.bind();
     silhouettes.bind();
     gbuffer_.depthStencil.bind(0);
-    lineProgram_.use();
+    program.use();
     noVertices_.bind();
-    for (const gpu::DrawCommand& list : silhouettes.hostSummaries[l].lists) {
-        // A list's quads have four vertices an entry (see findSilhouettes()), its lines two.
-        ++gpu::activity().draws;
-        glDrawArrays(GL_LINES, GLint(list.baseVertex / 2), GLsizei(list.count / 6 * 2));
-    }
+    ++gpu::activity().draws;
+    glDrawArrays(GL_LINES, 0, GLsizei(2 * geometry_.placedEdgeCount()));
     return lines_.readMean(1);
 }
 
@@ -92,6 +96,7 @@ void AovReader::read(const FrameOutputs& outputs, const Masks& masks, const Silh
             pixels.lights[shining[data.firstLight]].aovs.find(aov.name)->second.values = readData(data);
         }
     }
+    if (outputs.wants("contour")) pixels.aovs["contour"] = {readLines(contourProgram_, silhouettes), {}, 1};
     readAgain(outputs, eye.emptyDepth(), pixels);
     gpu::checkGl("while reading AOVs");
 }

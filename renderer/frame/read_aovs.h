@@ -24,7 +24,7 @@ public:
     void placeBefore(const PlacedMoment& before, const Eye& eye);
 
     /// Where silhouette edges of light `l` of the group that was swept last are seen.
-    std::vector<float> readSilhouette(const Silhouettes& silhouettes, std::uint32_t l);
+    std::vector<float> readSilhouette(const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
     /// All others, after shading.
     /// @param shining  lights that are on, as positions in the moment's list; the others' planes are 0
@@ -32,6 +32,7 @@ public:
               std::span<const std::size_t> shining, FramePixels& pixels);
 
 private:
+    std::vector<float> readLines(const gpu::Program& program, const Silhouettes& silhouettes);
     void readAgain(const FrameOutputs& outputs, float emptyDepth, FramePixels& pixels);
 
     const Scene& scene_;
@@ -43,7 +44,7 @@ private:
     PreviousFrame previous_;
     std::unique_ptr<SurfacesAgain> again_;
     gpu::ScreenTarget lines_;
-    gpu::Program lineProgram_;
+    gpu::Program silhouetteProgram_, contourProgram_;
     gpu::VertexArray noVertices_{"silhouette edges"};
 };
 

@@ -93,18 +93,23 @@ void FrameRecorder::recordPixels(const StatisticsPlace& place, const std::vector
 }
 
 void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouettes& silhouettes, bool halve,
-                          const VolumeFill& fill, bool counted, const std::vector<std::uint32_t>& stencil) {
+                          const VolumeFill& fill, std::optional<int> startLayers,
+                          const std::vector<std::uint32_t>& stencil) {
     const StatisticsPlace place{.light = id};
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
-    double quads = 0, eyeConstant = 0, zfail = 0, outOfReach = 0;
+    double quads = 0, eyeConstant = 0, zfail = 0, outOfReach = 0, outOfView = 0, ended = 0;
     for (const gpu::DrawCommand& list : summary.lists) quads += list.count / 6;
     for (const std::uint32_t layers : summary.eyeInside) eyeConstant += layers;
     FillSums sums;
+    double nearCaps[NEAR_CAP_CASES] = {};
     for (std::size_t i = 0; i < casters_.size(); ++i) {
+        for (std::size_t k = 0; k < NEAR_CAP_CASES; ++k) nearCaps[k] += fill.casters[i].nearCaps[k];
         const gpu::CasterState& caster = silhouettes.hostCasters[i];
         const bool byFail = caster.countedByFail >> l & 1u;
         zfail += byFail;
         outOfReach += caster.outOfReach >> l & 1u;
+        outOfView += (caster.outOfView & ~caster.outOfReach) >> l & 1u;
+        ended += !byFail && endOfSides(caster, l) != 0;
         FillSums own;
         own.add(fill.casters[i], byFail, halve);
         if (own.fragments() > 0) {
@@ -120,15 +125,20 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
     statistics_.record(frame_, place, "quads", quads);
     statistics_.record(frame_, place, "caps.light", summary.lightCaps);
     statistics_.record(frame_, place, "caps.dark", summary.darkCaps);
+    statistics_.record(frame_, place, "caps.near.trivial", nearCaps[NEAR_CAP_TRIVIAL]);
+    statistics_.record(frame_, place, "caps.near.easy", nearCaps[NEAR_CAP_EASY]);
+    statistics_.record(frame_, place, "caps.near.hard", nearCaps[NEAR_CAP_HARD]);
     statistics_.record(frame_, place, "eye.constant", eyeConstant);
     statistics_.record(frame_, place, "casters.zfail", zfail);
     statistics_.record(frame_, place, "casters.outOfReach", outOfReach);
+    statistics_.record(frame_, place, "casters.outOfView", outOfView);
+    statistics_.record(frame_, place, "casters.ended", ended);
     record(place, sums);
     statistics_.record(frame_, place, "overdraw.queried", double(fill.queried));
     recordPixels(place, fill.fragments, fill.updates);
-    if (counted) {
+    if (startLayers) {
         const double samples = double(fill.fragments.size()) * picture_.samples;
-        statistics_.record(frame_, place, "count.net", sums.net + eyeConstant * samples);
+        statistics_.record(frame_, place, "count.net", sums.net + *startLayers * samples);
     }
     if (!stencil.empty()) {
         Distribution distribution;
@@ -174,7 +184,7 @@ void FrameRecorder::scene(const SceneFragments& scene) {
     statistics_.record(frame_, {}, "shaded", passed);
 }
 
-void FrameRecorder::finish(std::size_t lightsSkipped) {
+void FrameRecorder::finish(std::size_t lightsSkipped, std::size_t lightsFellBack) {
     double triangles = 0, edges = 0;
     for (std::uint32_t i = 0; i < geometry_.instanceCount(); ++i) {
         const MeshTopology& topology = geometry_.topologies()[geometry_.meshOf(i)];
@@ -183,6 +193,7 @@ void FrameRecorder::finish(std::size_t lightsSkipped) {
     }
     statistics_.record(frame_, {}, "triangles", triangles);
     statistics_.record(frame_, {}, "edges", edges);
+    statistics_.record(frame_, {}, "lights.fellBack", double(lightsFellBack));
     statistics_.record(frame_, {}, "lights.skipped", double(lightsSkipped));
     const gpu::Activity& now = gpu::activity();
     statistics_.record(frame_, {}, "device.draws", double(now.draws - begin_.draws));

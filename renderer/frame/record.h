@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,16 +38,17 @@ public:
                   Statistics& statistics);
 
     /// Light `l` of the group that was swept last. Adds its planes to those of the frame.
-    /// @param counted  its volumes' fill says all about its counts: no plan was decided without drawing
+    /// @param startLayers  volumes that hold every sample's start and that no part counts; unset: a plan was decided
+    ///                     without drawing, so fill does not say all about counts
     /// @param stencil  its counts at every pixel; empty: not read
     void light(const std::string& id, std::uint32_t l, const Silhouettes& silhouettes, bool halve,
-               const VolumeFill& fill, bool counted, const std::vector<std::uint32_t>& stencil);
+               const VolumeFill& fill, std::optional<int> startLayers, const std::vector<std::uint32_t>& stencil);
 
     /// How often opaque surfaces touch pixels.
     void scene(const SceneFragments& fragments);
 
     /// After the last light.
-    void finish(std::size_t lightsSkipped);
+    void finish(std::size_t lightsSkipped, std::size_t lightsFellBack);
 
 private:
     void record(const StatisticsPlace& place, const FillSums& sums) const;

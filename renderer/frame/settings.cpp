@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error.h"
+#include "job/names.h"
+
 namespace umbrage {
 namespace {
 
@@ -31,6 +34,17 @@ Technique techniqueAgainst(const Job& job) {
 }
 
 void choose(const Technique& technique, FrameSettings& settings) {
+    if (!canPair(technique.silhouette, technique.count)) {
+        std::string others;
+        for (const NameAndMeaning& silhouette : kSilhouettes) {
+            if (!canPair(silhouette.name, technique.count)) continue;
+            others += fmt::format("{}{}", others.empty() ? "" : ", ", silhouette.name);
+        }
+        throw Error(
+            ErrorKind::Input, "shadow.count",
+            fmt::format("{} cannot draw the sides that silhouette {} finds", technique.count, technique.silhouette),
+            "those of " + others);
+    }
     settings.silhouette = technique.silhouette;
     settings.count = technique.count;
 }
@@ -42,6 +56,9 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     settings.samples = job.image.samples;
     settings.shadows = job.shadow.enabled;
     choose(techniqueOf(job), settings);
+    const auto when = std::ranges::find(kWhenInexact, job.shadow.whenInexact, &NameAndMeaning::name);
+    settings.whenInexact = WhenInexact(when - kWhenInexact.begin());
+    settings.extrusionMetres = job.shadow.extrusionMetres;
     settings.eyeConstant = job.shadow.eyeConstant;
     settings.parts = job.shadow.parts;
     const auto skip = [&](const char* name) {
@@ -50,6 +67,8 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     };
     settings.halveEvenComponents = skip("halve");
     settings.skipOutOfReach = skip("range");
+    settings.skipOutOfView = skip("view");
+    settings.endSides = skip("extent");
     settings.background = vec3Of(job.image.background);
     settings.ambientSky = composition.ambientSky;
     settings.ambientGround = composition.ambientGround;
@@ -70,6 +89,12 @@ FrameRange framesOf(const Job& job, const Composition& composition) {
 
 double frameSeconds(const Job& job, int frame) {
     return double(frame) / job.time.framesPerSecond;
+}
+
+PlacedMoment placedMoment(const Job& job, const Composition& composition, int frame) {
+    Moment moment = evaluate(composition.scene, composition.animations, frameSeconds(job, frame));
+    const PlacedCamera camera = placeCamera(composition.scene, moment, composition.cameraNode);
+    return {std::move(moment), camera};
 }
 
 }  // namespace umbrage

@@ -34,4 +34,7 @@ FrameRange framesOf(const Job& job, const Composition& composition);
 /// When a frame is, in seconds of the scene.
 double frameSeconds(const Job& job, int frame);
 
+/// The scene then, and the camera in it.
+PlacedMoment placedMoment(const Job& job, const Composition& composition, int frame);
+
 }  // namespace umbrage

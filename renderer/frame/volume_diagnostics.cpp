@@ -2,6 +2,7 @@
 #include "frame/volume_diagnostics.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "gpu/activity.h"
 #include "image/palette.h"
@@ -73,9 +74,12 @@ void VolumeDiagnostics::measure(std::span<const CountPlan> plans, const LightGro
         pixels_->overdrawUpdates[i] += fill.updates[i];
     }
     if (outputs_->figures) {
-        const bool counted =
-            std::none_of(plans.begin(), plans.end(), [](const CountPlan& p) { return p.allDark || !p.starts.empty(); });
-        recorder.light(planes.id, l, silhouettes_, halve, fill, counted, planes.counts);
+        std::optional<int> startLayers = 0;
+        for (const CountPlan& plan : plans) {
+            const bool known = startLayers && !plan.allDark && plan.starts.empty();
+            startLayers = known ? std::optional(*startLayers + plan.eyeLayers) : std::nullopt;
+        }
+        recorder.light(planes.id, l, silhouettes_, halve, fill, startLayers, planes.counts);
     }
     for (std::size_t i = 0; outputs_->topCasters && i < fill.casters.size(); ++i) {
         FillSums sums;

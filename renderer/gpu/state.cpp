@@ -26,7 +26,7 @@ GLenum depthFunction(Depth depth) {
 void applyStencil(const Stencil& stencil) {
     enable(GL_STENCIL_TEST, stencil.enabled);
     if (!stencil.enabled) return;
-    glStencilFunc(stencil.function, stencil.reference, 0xff);
+    glStencilFunc(stencil.function, stencil.reference, stencil.compared);
     glStencilMask(0xff);
     glStencilOpSeparate(GL_FRONT, stencil.frontFail, stencil.frontDepthFail, stencil.frontPass);
     glStencilOpSeparate(GL_BACK, stencil.backFail, stencil.backDepthFail, stencil.backPass);

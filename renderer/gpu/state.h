@@ -10,11 +10,12 @@ enum class Depth { Off, Nearer, NearerOrEqual, NotNearer };
 enum class Cull { None, Back, Front };
 enum class ColorOp { Off, Replace, OrBits, Add, Over };
 
-/// One rule for both faces, or two; the reference is compared with the stencil value under all 8 bits.
+/// One rule for both faces, or two.
 struct Stencil {
     bool enabled = false;
     GLenum function = GL_ALWAYS;
     GLint reference = 0;
+    GLuint compared = 0xff;  // bits
     GLenum frontFail = GL_KEEP, frontDepthFail = GL_KEEP, frontPass = GL_KEEP;
     GLenum backFail = GL_KEEP, backDepthFail = GL_KEEP, backPass = GL_KEEP;
 };

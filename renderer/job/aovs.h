@@ -81,6 +81,9 @@ inline constexpr std::array kAovs = {
             "the shadow count: volumes of the light's that hold the surface point", "counted at infinity"},
     AovInfo{"silhouette", "silhouette.*", AovFormat::Half, AovSampling::First, AovSource::Own,
             "1 where a silhouette edge of the light's is seen, as a line of one pixel", "as elsewhere"},
+    AovInfo{"contour", "contour", AovFormat::Half, AovSampling::First, AovSource::Own,
+            "1 where a contour of what casts is seen, as a line of one pixel: an edge whose triangles the viewer sees from "
+            "different sides, or that has only one", "as elsewhere"},
     AovInfo{"cost", "cost.*", AovFormat::Float, AovSampling::Mean, AovSource::Own,
             "fragments of the light's shadow volumes, before the depth test", "as elsewhere"},
     AovInfo{"overdraw", "overdraw.fragments overdraw.updates", AovFormat::Float, AovSampling::Mean, AovSource::Own,

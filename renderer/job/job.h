@@ -95,7 +95,11 @@ struct JobCamera {
 
 struct JobDisplacement {
     Located<std::string> glob;
-    float amplitude = 0.1f, frequency = 3.0f, speed = 1.0f;  // kind: noise
+    std::string kind = "noise";  // of kProcedures
+    Sampled<1> amplitude{{}, {{0.1}}, {}};
+    std::array<double, 3> axis{0, 1, 0};
+    float frequency = 3.0f, speed = 1.0f;
+    KeyInterpolation interpolation = KeyInterpolation::Linear;
 };
 
 /// shadow.splitPlane: {"/Glob*": ...}
@@ -139,8 +143,10 @@ struct Job {
 
     struct Shadow {
         bool enabled = true;
-        std::string count = "auto";       // z-pass, z-fail
-        std::string silhouette = "auto";  // compute, cpu
+        std::string count = "auto";  // of kCounts
+        std::string whenInexact = "fall-back";
+        double extrusionMetres = 0.0;     // 0: chosen
+        std::string silhouette = "auto";  // of kSilhouettes
         bool eyeConstant = true;          // off: the textbook z-pass, wrong with the eye in a volume
         JobParts parts;
         std::map<std::string, bool> skips;  // skip name -> on; absent: on

@@ -36,21 +36,33 @@ Type<float> single(const Limits& limits = {}) {
         [](float value) { return std::stod(fmt::format("{}", value)); });  // .1, not .10000000149
 }
 
+Type<Triple> axis() {
+    const std::string expected = "an axis [x, y, z], not 0";
+    return converted<Triple>(triple(expected), [expected](Triple axis, const YamlNode& node) {
+        if (axis == Triple{}) refuseType(node, "axis", expected);
+        return axis;
+    });
+}
+
 Type<std::vector<JobDisplacement>> displacements() {
-    const auto noise = mapping<JobDisplacement>(
-        "displace", "A procedure that moves vertices along their normals, on the nodes whose path a glob matches.",
+    const auto procedure = mapping<JobDisplacement>(
+        "displace", "A procedure that moves vertices, on the nodes whose path a glob matches.",
         {
-            fieldThrough<JobDisplacement, std::string>(
-                "kind", choice({"noise"}), [](JobDisplacement&, const std::string&) {},
-                "The procedure: gradient noise of position and time", "noise"),
-            field<JobDisplacement>("amplitude", single(), &JobDisplacement::amplitude, "Largest displacement")
-                .in("metres"),
+            field<JobDisplacement>("kind", choice(namesOf(kProcedures)), &JobDisplacement::kind,
+                                   "The procedure: " + meaningsOf(kProcedures)),
+            field<JobDisplacement>("amplitude", sampledNumber(), &JobDisplacement::amplitude,
+                                   "Largest displacement in metres; of a twist, degrees a metre"),
+            field<JobDisplacement>("axis", axis(), &JobDisplacement::axis,
+                                   "Of wave and twist, through the mesh's origin"),
             field<JobDisplacement>("frequency", single(atLeast(0)), &JobDisplacement::frequency,
-                                   "Of the noise in space")
+                                   "Of noise and wave in space")
                 .in("1/metre"),
-            field<JobDisplacement>("speed", single(), &JobDisplacement::speed, "Of the noise in time").in("1/second"),
+            field<JobDisplacement>("speed", single(), &JobDisplacement::speed, "In time; 0 stands still")
+                .in("1/second"),
+            field<JobDisplacement>("interpolation", interpolation(), &JobDisplacement::interpolation,
+                                   "Between the time samples"),
         });
-    return converted<std::vector<JobDisplacement>>(dictionary(noise, "a mapping {glob: procedure, ...}"),
+    return converted<std::vector<JobDisplacement>>(dictionary(procedure, "a mapping {glob: procedure, ...}"),
                                                    [](const auto& entries, const YamlNode&) {
                                                        std::vector<JobDisplacement> made;
                                                        for (const auto& [glob, displacement] : entries) {
@@ -170,6 +182,12 @@ Type<Job::Shadow> shadowSettings() {
             field<Shadow>("enabled", boolean(), &Shadow::enabled, "off: everything is lit"),
             field<Shadow>("count", choice(orAuto(namesOf(kCounts))), &Shadow::count,
                           "How pixels are counted: " + meaningsOf(kCounts)),
+            field<Shadow>("whenInexact", choice(namesOf(kWhenInexact)), &Shadow::whenInexact,
+                          "Where the way of counting is not exact and says so: " + meaningsOf(kWhenInexact)),
+            field<Shadow>("extrusion", number(atLeast(0)), &Shadow::extrusionMetres,
+                          "Where volumes of z-fail-finite end, from the light; 0: beyond the box of its range, or of "
+                          "the scene")
+                .in("metres"),
             field<Shadow>("silhouette", choice(orAuto(namesOf(kSilhouettes))), &Shadow::silhouette,
                           "How silhouette edges are found: " + meaningsOf(kSilhouettes)),
             field<Shadow>("eyeConstant", boolean(), &Shadow::eyeConstant,
@@ -213,7 +231,9 @@ Type<Job::Color> colorSettings() {
 std::vector<std::string> allTechniques() {
     std::vector<std::string> names;
     for (const std::string& silhouette : namesOf(kSilhouettes)) {
-        for (const std::string& count : namesOf(kCounts)) names.push_back(silhouette + ":" + count);
+        for (const std::string& count : namesOf(kCounts)) {
+            if (canPair(silhouette, count)) names.push_back(silhouette + ":" + count);
+        }
     }
     return names;
 }

@@ -7,14 +7,6 @@
 namespace umbrage {
 namespace {
 
-using Single = std::array<double, 1>;
-
-Type<Sampled<1>> sampledNumber(const Limits& limits) {
-    return sampled<1>(converted<Single>(
-        number(limits), [](double value, const YamlNode&) { return Single{value}; },
-        [](const Single& value) { return value[0]; }));
-}
-
 Type<Sampled<1>> sampledDegrees(const Limits& limits) {
     return converted<Sampled<1>>(sampledNumber(limits), [](Sampled<1> angle, const YamlNode&) {
         for (Single& value : angle.values) value[0] = glm::radians(value[0]);

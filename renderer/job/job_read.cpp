@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // From text to a Job: tree, overrides, table, then what needs more than one value (paths and output names).
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-
 #include "error.h"
 #include "job/job_fields.h"
 #include "job/output_path.h"
@@ -48,17 +43,6 @@ Job jobFromTree(YamlNode root, const std::filesystem::path& file, const std::fil
     }
     if (!job.color.config.empty()) job.color.config = resolved(folder, job.color.config).string();
     return job;
-}
-
-std::string contentsOf(const std::filesystem::path& file) {
-    std::error_code ignored;
-    const bool isFolder = std::filesystem::is_directory(file, ignored);
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || isFolder)
-        throw Error(ErrorKind::Input, file.string(),
-                    isFolder ? "this is a folder, not a sequence file"
-                             : std::string("cannot be read: ") + std::strerror(errno));
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 YamlNode mappingNode(std::vector<std::pair<std::string, YamlNode>> entries, const Place& place) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "job/job_fields.h"
+#include "job/reference_page.h"
 
 namespace umbrage {
 namespace {
@@ -28,17 +29,21 @@ std::string pageText(const ReferencePage& page) {
 
 }  // namespace
 
+std::string referenceText(const std::vector<ReferencePage>& pages) {
+    std::string text;
+    std::set<std::string> written;
+    for (const ReferencePage& page : pages) {
+        if (written.insert(page.title).second) text += pageText(page);
+    }
+    return text;
+}
+
 std::string jobSchema() {
-    const Type<Job> type = sequenceType();
-    Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                   {"title", "umbrage sequence"},
-                   {"description", type.pages.front().meaning}};
-    schema.update(type.schema);
-    return schema.dump(2) + "\n";
+    return schemaText("umbrage sequence", sequenceType());
 }
 
 std::string jobReference() {
-    std::string text =
+    const std::string text =
         "# The sequence file\n\n"
         "Every key of a sequence file, from the table that the parser itself uses: `umbrage schema --markdown` wrote "
         "this\n"
@@ -49,10 +54,7 @@ std::string jobReference() {
         "numbers are decimal whatever they begin with. Relative paths are read from the folder of the sequence file.\n"
         "`--set path=value` changes any of it from the command line: `--set shadow.count=z-fail --set "
         "lights.0.intensity=40`.\n";
-    std::set<std::string> written;
-    for (const ReferencePage& page : sequenceType().pages)
-        if (written.insert(page.title).second) text += pageText(page);
-    return text;
+    return text + referenceText(sequenceType().pages);
 }
 
 }  // namespace umbrage

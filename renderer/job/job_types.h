@@ -20,6 +20,14 @@ inline Type<Triple> point() {
     return triple("a point [x, y, z]");
 }
 
+using Single = std::array<double, 1>;
+
+inline Type<Sampled<1>> sampledNumber(const Limits& limits = {}) {
+    return sampled<1>(converted<Single>(
+        number(limits), [](double value, const YamlNode&) { return Single{value}; },
+        [](const Single& value) { return value[0]; }));
+}
+
 inline Type<KeyInterpolation> interpolation() {
     return choiceOf<KeyInterpolation>({{"linear", KeyInterpolation::Linear}, {"step", KeyInterpolation::Step}});
 }

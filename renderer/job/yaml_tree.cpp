@@ -10,6 +10,10 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <unordered_map>
 
@@ -210,6 +214,17 @@ const YamlNode* YamlNode::find(std::string_view key) const {
 
 YamlNode* YamlNode::find(std::string_view key) {
     return const_cast<YamlNode*>(std::as_const(*this).find(key));
+}
+
+std::string contentsOf(const std::filesystem::path& file) {
+    std::error_code ignored;
+    const bool isFolder = std::filesystem::is_directory(file, ignored);
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || isFolder)
+        throw Error(
+            ErrorKind::Input, file.string(),
+            isFolder ? "this is a folder, not a YAML file" : std::string("cannot be read: ") + std::strerror(errno));
+    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 YamlNode parseYaml(const std::string& text, const std::string& name) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,6 +34,9 @@ struct YamlNode {
     const YamlNode* find(std::string_view key) const;
     YamlNode* find(std::string_view key);
 };
+
+/// A whole file. @throws Error(Input)
+std::string contentsOf(const std::filesystem::path& file);
 
 /// @param name  of the file, for places
 /// @throws Error(Input) with file:line:column

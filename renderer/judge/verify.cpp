@@ -57,6 +57,7 @@ private:
         Statistics unused;
         const Clock::time_point start = Clock::now();
         FramePixels pixels = renderer.render(moment, camera, outputs, frame, unused);
+        for (const std::string& note : pixels.notes) observer.note(note);
         const double milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         if (first || pixels.seen.triangles != seen_) {  // techniques draw the same surfaces, unless a fault is planted
             judge_.setFrame(moment, camera, renderer, pixels);
@@ -93,7 +94,8 @@ const std::vector<Technique>& allTechniques() {
     static const std::vector<Technique> all = [] {
         std::vector<Technique> made;
         for (const NameAndMeaning& silhouette : kSilhouettes) {
-            for (const NameAndMeaning& count : kCounts) {
+            for (const CountName& count : kCounts) {
+                if (!canPair(silhouette.name, count.name)) continue;
                 made.push_back({std::string(silhouette.name), std::string(count.name)});
             }
         }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnostics/median.h"
 #include "diagnostics/statistics_format.h"
 #include "diagnostics/statistics_merge.h"
 #include "diagnostics/statistics_summary.h"
@@ -60,12 +61,6 @@ double ratioOf(double before, double after) {
 double representative(const CounterSummary& sum, Combine combine, bool isMeasured) {
     if (isMeasured) return sum.mean;
     return combine == Combine::Sum ? sum.total : combine == Combine::Largest ? sum.max : sum.mean;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2.0;
 }
 
 class Comparison {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/text_table.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -35,6 +37,29 @@ std::string alignedTable(std::vector<std::vector<std::string>> rows, const std::
             line += (c > 0 ? "  " : "") + (isText[c] ? row[c] + blanks : blanks + row[c]);
         }
         text += line.erase(line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+}
+
+std::string markdownCell(const std::string& text) {
+    std::string escaped;
+    for (const char c : printable(text)) {
+        if (std::string_view("\\|`*_<").find(c) != std::string_view::npos) escaped += '\\';
+        escaped += c;
+    }
+    return escaped;
+}
+
+std::string markdownTable(const std::vector<std::vector<std::string>>& rows, const std::vector<bool>& isText) {
+    std::string text;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        text += "|";
+        for (const std::string& cell : rows[r]) text += fmt::format(" {} |", markdownCell(cell));
+        text += "\n";
+        if (r > 0) continue;
+        text += "|";
+        for (const bool words : isText) text += words ? "---|" : "---:|";
+        text += "\n";
     }
     return text;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables in plain text, for terminals.
+// Tables in plain text, for terminals, and in Markdown.
 #pragma once
 
 #include <string>
@@ -14,5 +14,11 @@ std::string printable(std::string text);
 /// @param rows  of as many cells as isText
 /// @param isText  per column: words at the left, else numbers at the right
 std::string alignedTable(std::vector<std::vector<std::string>> rows, const std::vector<bool>& isText);
+
+/// The same for documents, the first row as its head; what Markdown takes for markup is escaped.
+std::string markdownTable(const std::vector<std::vector<std::string>>& rows, const std::vector<bool>& isText);
+
+/// Text that means itself in Markdown.
+std::string markdownCell(const std::string& text);
 
 }  // namespace umbrage

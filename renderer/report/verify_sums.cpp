@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "diagnostics/median.h"
 #include "report/verify_report.h"
 
 namespace umbrage {
@@ -12,14 +13,6 @@ namespace {
 /// The larger one; what is not a number is larger still.
 double worse(double a, double b) {
     return std::isnan(a) || a > b ? a : b;
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    const double upper = *middle;
-    return values.size() % 2 == 1 ? upper : 0.5 * (upper + *std::max_element(values.begin(), middle));
 }
 
 void addTo(LightVerdict& sum, const LightVerdict& light) {

@@ -88,36 +88,25 @@ std::vector<std::string> cellsOf(const std::vector<Column>& columns, const Verif
     return cells;
 }
 
-std::string markdownCell(const std::string& text) {
-    std::string escaped;
-    for (const char c : printable(text)) {
-        if (std::string_view("\\|`*_<").find(c) != std::string_view::npos) escaped += '\\';
-        escaped += c;
-    }
-    return escaped;
+/// With the titles in front.
+std::vector<std::vector<std::string>> rowsOf(const std::vector<Column>& columns, const std::vector<VerifySum>& sums) {
+    std::vector<std::vector<std::string>> rows{titlesOf(columns)};
+    for (const VerifySum& sum : sums) rows.push_back(cellsOf(columns, sum));
+    return rows;
+}
+
+std::vector<bool> areText(const std::vector<Column>& columns) {
+    std::vector<bool> isText;
+    for (const Column& column : columns) isText.push_back(column.isText);
+    return isText;
 }
 
 std::string textTable(const std::vector<Column>& columns, const std::vector<VerifySum>& sums) {
-    std::vector<std::vector<std::string>> rows{titlesOf(columns)};
-    for (const VerifySum& sum : sums) rows.push_back(cellsOf(columns, sum));
-    std::vector<bool> isText;
-    for (const Column& column : columns) isText.push_back(column.isText);
-    return alignedTable(rows, isText);
+    return alignedTable(rowsOf(columns, sums), areText(columns));
 }
 
-std::string markdownTable(const std::vector<Column>& columns, const std::vector<VerifySum>& sums) {
-    std::string text = "|", rule = "|";
-    for (const Column& column : columns) {
-        text += fmt::format(" {} |", column.title);
-        rule += column.isText ? "---|" : "---:|";
-    }
-    text += "\n" + rule + "\n";
-    for (const VerifySum& sum : sums) {
-        text += "|";
-        for (const std::string& cell : cellsOf(columns, sum)) text += fmt::format(" {} |", markdownCell(cell));
-        text += "\n";
-    }
-    return text;
+std::string sumsInMarkdown(const std::vector<Column>& columns, const std::vector<VerifySum>& sums) {
+    return markdownTable(rowsOf(columns, sums), areText(columns));
 }
 
 struct WrongLight {
@@ -218,8 +207,8 @@ std::string VerifyReport::markdown(const VerifyDetail& detail) const {
     for (const Problem& problem : problems_) {
         text += fmt::format("- not judged: {}: {}\n", markdownCell(problem.sequence), markdownCell(problem.message));
     }
-    text += "\n## All sequences\n\n" + markdownTable(columnsOf({}, false), techniqueSums());
-    text += "\n## Each sequence\n\n" + markdownTable(columnsOf(detail), sums(detail));
+    text += "\n## All sequences\n\n" + sumsInMarkdown(columnsOf({}, false), techniqueSums());
+    text += "\n## Each sequence\n\n" + sumsInMarkdown(columnsOf(detail), sums(detail));
     text += "\n## What the columns say\n\n";
     for (const Column& column : columnsOf({})) {
         if (!column.doc.empty()) text += fmt::format("- {}: {}\n", column.title, column.doc);

@@ -8,6 +8,8 @@
 #include <charconv>
 
 #include "error.h"
+#include "job/names.h"
+#include "scene/aim.h"
 #include "scene/compose_parts.h"
 #include "scene/node_paths.h"
 
@@ -39,15 +41,23 @@ std::vector<Index> chooseAnimations(const Scene& scene, const Job& job) {
     return chosen;
 }
 
-void addDisplacement(Scene& scene, const JobDisplacement& wanted) {
-    for (const Index node : matchingNodes(scene, wanted.glob, &Node::mesh, "mesh")) {
-        std::erase_if(scene.displacements, [&](const Displacement& earlier) { return earlier.node == node; });
-        scene.displacements.push_back({node, wanted.amplitude, wanted.frequency, wanted.speed});
-    }
-}
-
 glm::vec3 vectorOf(const std::array<double, 3>& value) {
     return glm::vec3(glm::dvec3(value[0], value[1], value[2]));
+}
+
+void addDisplacement(Scene& scene, const JobDisplacement& wanted) {
+    const auto isIt = [&](const NameAndMeaning& procedure) { return procedure.name == wanted.kind; };
+    const auto kind =
+        Displacement::Kind(std::find_if(kProcedures.begin(), kProcedures.end(), isIt) - kProcedures.begin());
+    Track amplitude = trackOf(wanted.amplitude, wanted.interpolation);
+    for (float& value : amplitude.values) {
+        if (kind == Displacement::Kind::Twist) value = glm::radians(value);
+    }
+    for (const Index node : matchingNodes(scene, wanted.glob, &Node::mesh, "mesh")) {
+        std::erase_if(scene.displacements, [&](const Displacement& earlier) { return earlier.node == node; });
+        scene.displacements.push_back(
+            {node, kind, amplitude, glm::normalize(vectorOf(wanted.axis)), wanted.frequency, wanted.speed});
+    }
 }
 
 }  // namespace

@@ -183,10 +183,15 @@ struct LightTrack {
     Track track;
 };
 
-/// Procedural displacement along the vertex normal, evaluated on the device.
+/// A procedure that moves a mesh's vertices in its model space, evaluated on the device.
 struct Displacement {
+    enum class Kind { Noise, Wave, Twist };
+
     Index node = kNone;
-    float amplitude = 0.1f, frequency = 3.0f, speed = 1.0f;
+    Kind kind = Kind::Noise;
+    Track amplitude{};  // metres; of a twist radians a metre
+    glm::vec3 axis{0.0f, 1.0f, 0.0f};
+    float frequency = 3.0f, speed = 1.0f;  // a metre, a second
 };
 
 /// A scene, or several composed into one. Indices refer to the vectors of the same object.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the silhouette passes share: lights in model space and which list a caster's quads go to.
+#include "caster_lists.glsl"
 layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { vec4 lightsInModel[]; };
 layout(std430, binding = BIND_SUMMARY) buffer Summaries { LightSummary summaries[]; };
-layout(std430, binding = BIND_CASTERS) buffer Casters { CasterState casters[]; };
 
 layout(location = 2) uniform uint lightCount;  // of this group
 layout(location = 3) uniform uint firstLight;  // of this group, in all
@@ -21,9 +21,3 @@ layout(location = 8) uniform uint clusterCount;
 
 uint partOfTriangle(uint placed, uint l) { return partOf[l * clusterCount + clusters[placed]]; }
 #endif
-
-uint listOf(uint instance, uint l, bool even) {
-    if ((casters[instance].countedByFail >> l & 1u) != 0u) return LIST_FAIL;
-    bool halved = even && (instances[instance].flags & INSTANCE_WHOLE) == 0u && (casters[instance].lightOn >> l & 1u) == 0u;
-    return halved ? LIST_HALVED : LIST_WHOLE;
-}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The position pass: morph targets, procedural noise and skinning, in that order, from a mesh's rest vertices into the
+// The position pass: morph targets, a procedure and skinning, in that order, from a mesh's rest vertices into the
 // vertices of one instance. Every later decision reads the result (Brabec & Seidel 2003, section 4.1).
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
@@ -27,10 +27,12 @@ layout(location = 7) uniform uint firstMorph;
 layout(location = 8) uniform uint morphCount;
 layout(location = 9) uniform uint boundsIndex;
 layout(location = 10) uniform uint hasTangents;
-layout(location = 11) uniform float noiseAmplitude;
-layout(location = 12) uniform float noiseFrequency;
-layout(location = 13) uniform float noisePhase;
+layout(location = 11) uniform float amplitude;  // 0: no procedure
+layout(location = 12) uniform float frequency;
+layout(location = 13) uniform float phase;  // speed times seconds
 layout(location = 14) uniform uint firstWeight;
+layout(location = 15) uniform uint procedure;
+layout(location = 16) uniform vec3 axis;
 
 vec3 load(uint array, uint v) {
     return array == 0u ? vec3(positions[3u * v], positions[3u * v + 1u], positions[3u * v + 2u])
@@ -76,6 +78,40 @@ vec4 noise(vec3 p) {
     return sum;
 }
 
+/// Along the normal by `height`, whose gradient is `slope`; the normal to first order.
+void moveAlongNormal(float height, vec3 slope, inout vec3 p, inout vec3 n) {
+    p += height * n;
+    n -= slope - dot(slope, n) * n;
+}
+
+vec3 rotated(vec3 v, float angle) {
+    float along = dot(axis, v);
+    return cos(angle) * (v - along * axis) + sin(angle) * cross(axis, v) + along * axis;
+}
+
+/// Turns about the axis by `rate` times the place along it.
+void twist(float rate, inout vec3 p, inout vec3 n, inout vec3 t) {
+    float angle = rate * dot(axis, p);
+    p = rotated(p, angle);
+    vec3 shear = rate * cross(axis, p);  // how a turned point moves with its place along the axis
+    t = rotated(t, angle) + dot(axis, t) * shear;
+    n = rotated(n, angle);
+    n -= dot(shear, n) * axis;
+}
+
+void displace(inout vec3 p, inout vec3 n, inout vec3 t) {
+    const float kTurn = 6.2831853;
+    if (procedure == PROCEDURE_NOISE) {
+        vec4 d = noise(p * frequency + phase * vec3(0.31, 0.73, 0.53));
+        moveAlongNormal(amplitude * d.w, amplitude * frequency * d.xyz, p, n);
+    } else if (procedure == PROCEDURE_WAVE) {
+        float angle = kTurn * (frequency * dot(axis, p) - phase);
+        moveAlongNormal(amplitude * sin(angle), amplitude * kTurn * frequency * cos(angle) * axis, p, n);
+    } else {
+        twist(amplitude * cos(kTurn * phase), p, n, t);
+    }
+}
+
 uint ordered(float f) {
     uint u = floatBitsToUint(f);
     return (u & 0x80000000u) != 0u ? ~u : u | 0x80000000u;
@@ -94,11 +130,10 @@ void main() {
         n += weight * loadMorph(element, 1u);
         t.xyz += weight * loadMorph(element, 2u);
     }
-    if (noiseAmplitude != 0.0) {
-        vec4 d = noise(p * noiseFrequency + noisePhase * vec3(0.31, 0.73, 0.53));
-        p += noiseAmplitude * d.w * n;
-        vec3 slope = noiseAmplitude * noiseFrequency * d.xyz;
-        n -= slope - dot(slope, n) * n;  // the displaced surface's normal, to first order
+    if (amplitude != 0.0) {
+        vec3 moved = p;
+        displace(moved, n, t.xyz);
+        p = moved;
     }
     if (jointCount > 0u) {
         vec4 rows[3] = vec4[3](vec4(0.0), vec4(0.0), vec4(0.0));

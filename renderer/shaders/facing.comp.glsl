@@ -185,7 +185,7 @@ void main() {
     vec3 normal = faceNormal(a, b, c);
     uvec2 bits = uvec2(0u);
     uint counted = 0u;  // lights whose shadows it casts
-    uint reaching = ~casters[instance].outOfReach & (lightCount == 32u ? ~0u : (1u << lightCount) - 1u);
+    uint reaching = ~(casters[instance].outOfReach | casters[instance].outOfView) & (lightCount == 32u ? ~0u : (1u << lightCount) - 1u);
     for (; reaching != 0u; reaching &= reaching - 1u) {
         uint l = uint(findLSB(reaching));
         vec4 light = lightInModel(instance, l);

@@ -54,6 +54,7 @@ vec2 ndcHere() {
 /// Distance along the view axis at the sample. The triangle's plane is exact where interpolated depth has lost bits
 /// (T9); the depth buffer keeps planes seen edge-on from running away.
 float eyeDistance(uint triangle, float depth, vec2 ndc) {
+    depth /= view.sceneDepths;
     float stored = view.perspective != 0u ? view.znear / depth : view.zfar - depth * (view.zfar - view.znear);
     if (triangle == NO_TRIANGLE) return stored;
     vec4 plane = planes[triangle];

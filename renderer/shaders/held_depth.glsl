@@ -21,7 +21,8 @@ struct Section {
 
 /// Adds where a border p + t q (0 <= t <= last) crosses the pixel's coordinate along `axis`.
 void crossBorder(inout Section section, vec4 p, vec4 q, float last, vec2 ndc, int axis) {
-    if (q == vec4(0.0)) return;  // both ends in one point
+    if (q == vec4(0.0)) return;                     // both ends in one point
+    if (last == 1.0 && q.xyw == vec3(0.0)) return;  // or in one on screen, which the other borders have
     float t = (ndc[axis] * p.w - p[axis]) / (q[axis] - ndc[axis] * q.w);
     vec4 crossing = q.xyw == vec3(0.0) ? q : p + t * q;
     bool inEye = crossing.xyw == vec3(0.0);
@@ -41,7 +42,7 @@ void crossBorder(inout Section section, vec4 p, vec4 q, float last, vec2 ndc, in
 /// The fragment's depth.
 float heldDepth() {
     vec2 ndc = 1.0 / VIEWPORT_SCALE * vec2(gl_FragCoord.x * view.pixelSize.x - 1.0, 1.0 - gl_FragCoord.y * view.pixelSize.y);
-    vec2 along = abs(farA.xy - ndc * farA.w) + abs(farB.xy - ndc * farB.w);
+    vec2 along = abs(farA.xy * nearA.w - nearA.xy * farA.w) + abs(farB.xy * nearB.w - nearB.xy * farB.w);
     int axis = along.x > along.y ? 0 : 1;  // the one a sliver runs along
     Section section = Section(vec2(1e30, 0.0), vec2(-1e30, 0.0), vec2(2.0, -1.0), 0, true);
     crossBorder(section, nearA, farA, 1e30, ndc, axis);

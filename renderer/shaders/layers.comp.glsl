@@ -82,7 +82,7 @@ void main() {
     vec3 b = viewFromModel(instance, vec4(positionOf(v.y), 1.0));
     vec3 c = viewFromModel(instance, vec4(positionOf(v.z), 1.0));
     for (uint l = 0u; l < lightCount; ++l) {
-        if ((casters[instance].outOfReach >> l & 1u) != 0u) continue;
+        if (((casters[instance].outOfReach | casters[instance].outOfView) >> l & 1u) != 0u) continue;
         vec4 light = lights[firstLight + l].position;
         if (light.w != 0.0) {
             addAround(l, a - light.xyz, b - light.xyz, c - light.xyz);

@@ -46,6 +46,11 @@ using mat4 = glm::mat4;
 #define BIND_DEFORM_BOUNDS 13
 #define BIND_DEFORM_WEIGHTS 14
 #define MORPH_FLOATS 9u  // per vertex and target: position, normal, tangent
+// Displacement::Kind
+#define PROCEDURE_NOISE 0u
+#define PROCEDURE_WAVE 1u
+#define PROCEDURE_TWIST 2u
+
 #define BOUNDS_WORDS 6u  // per deforming instance: least and greatest xyz, as integers in the same order
 
 // So do matrices of the frame before, for motion.
@@ -54,11 +59,20 @@ using mat4 = glm::mat4;
 // So does the count of what volumes fill.
 #define BIND_FILL 13
 
+// So does the geometry stage that makes side quads.
+#define BIND_ADJACENCY 14
+
 // So does the bound on layers (T6).
 #define BIND_LAYER_CELLS 13
 #define BIND_LAYER_BOUNDS 14
 #define LAYER_GRID 32u  // cells along a face; a power of two
 #define LAYER_CELLS (6u * LAYER_GRID * LAYER_GRID)
+
+// Texture units of the vertex stage, apart from those of what is drawn into.
+#define UNIT_EDGE_FLAGS 8
+#define UNIT_IN_VIEW 9
+#define UNIT_IN_MODEL 10
+#define TEXEL_ROW 4096u  // texels in a row of vertices or edges
 
 // Uniform block bindings.
 #define BIND_VIEW 0
@@ -114,6 +128,7 @@ struct Edge {
 #define FAULT_FACING_TWICE 2
 #define FAULT_WRONG_FACING 4
 #define FAULT_MISSING_EDGE 5
+#define FAULT_ORIGIN_EXTRUSION 7
 
 // The lists of side quads a light has.
 #define LIST_HALVED 0  // even components: one quad for two crossings, counted by z-pass
@@ -136,8 +151,10 @@ struct Edge {
 #define COUNT_FRONT_VALUE 15
 #define FIRST_CLUSTER 11
 #define HULL_COLOR 12
+#define EXTENT_FACES 20  // six planes in view space: normal, offset
 #define TALLY_KIND 13
 #define TALLY_FAILED 14
+#define VOLUME_END 9
 
 // What an entry of a list of side quads is beside placed edge << 1 | (m < 0): it belongs to the part of the edge's
 // right triangle, whose left one is of another part.
@@ -148,6 +165,19 @@ struct Edge {
 #define CAP_EDGE_ON 1
 #define CAP_FAR 2
 #define CAP_DARK 3
+#define CAP_SECTION 4     // see near_cap.vert.glsl
+#define CAP_LIGHT_VIEW 5  // see light_view.vert.glsl
+
+// Share of the depth range before the near plane, in frames whose counts begin there (Kilgard 2001: the ledge). A
+// half, because scaling floats by a power of two rounds nothing.
+#define LEDGE 0.5
+
+// What a triangle's volume does at the plane where near-cap begins to count (Kilgard's cases): none of the rays through
+// its corners meets it, all do, or some.
+#define NEAR_CAP_TRIVIAL 0
+#define NEAR_CAP_EASY 1
+#define NEAR_CAP_HARD 2
+#define NEAR_CAP_CASES 3
 
 // A command of glDrawElementsIndirect.
 struct DrawCommand {
@@ -160,7 +190,10 @@ struct CasterState {
     uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
     uint missing;        // some of it is nearer than what is seen there: culled, or before the near plane (T1)
     uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
+    uint outOfView;      // bits of lights with which no view ray meets it or its volume
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight; as hazards
+    uint ends[4];  // ten lights in each, three bits a light: 0, or 1 + the face of the light's extent that sides end
+                   // behind
 };
 
 // A part of the casters of one light, counted by z-pass before its split plane and by z-fail behind it (Laine 2005).
@@ -189,6 +222,7 @@ struct SplitPart {
 // Per instance: the fragments of a light's volumes, by kind, facing, and the depth test.
 struct CasterFill {
     uint passedFront[FILL_KINDS], passedBack[FILL_KINDS], failedFront[FILL_KINDS], failedBack[FILL_KINDS];
+    uint nearCaps[NEAR_CAP_CASES];  // triangles
 };
 
 // What the silhouette passes say about one light.
@@ -218,9 +252,11 @@ struct ViewData {
     float znear, zfar;  // zfar 0: infinite
     uint perspective;
     uint lightCount;
-    vec2 pixelSize;    // in NDC
-    float emptyDepth;  // where nothing is seen: 0, or that of a perspective camera's zfar (T12)
-    float unusedView;
+    vec2 pixelSize;     // in NDC
+    float emptyDepth;   // where nothing is seen: 0, or that of a perspective camera's zfar (T12)
+    float capDistance;  // of the plane from which near-cap counts, along the view axis (shadow/ledge.h)
+    float sceneDepths;  // what is seen has depths from 0 to this: 1 without a ledge
+    float unusedView1, unusedView2, unusedView3;
 };
 
 struct MaterialData {

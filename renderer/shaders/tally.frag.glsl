@@ -3,6 +3,7 @@
 // pixel is touched and how often its count changes, and with TALLY whose volumes did it. No depth buffer is attached.
 // variant: SAMPLES 4
 // variant: TALLY 1
+// variant: LIGHT_VIEW 1
 // variant: EDGE_ON 1, PUSHED_BACK 1
 // variant: PARTS 1, TALLY 1, EDGE_ON 1
 #version 450 core
@@ -10,6 +11,8 @@
 #include "shared.h"
 #ifdef EDGE_ON
 #include "held_depth.glsl"
+#elif defined(LIGHT_VIEW)
+float heldDepth() { return 2.0; }  // nearer than all
 #else
 float heldDepth() { return gl_FragCoord.z; }
 #endif

@@ -37,6 +37,37 @@ bool outOfReach(const Geometry::Bounds& worldBox, const glm::dvec3& lightPositio
     return glm::distance(nearest, lightPosition) > rangeMetres * (1.0 + 1e-5);  // beyond what floats can confuse
 }
 
+bool mayReach(const StartRectangle& rectangle, std::span<const glm::dvec3> corners, const glm::dvec4& lightInView) {
+    constexpr double kMargin = 1.0 + 1.0 / 32.0;  // more than the rasteriser's snapping
+    const double distance = rectangle.distance;
+    const glm::dvec2 half = kMargin * rectangle.eye.rayScale * (rectangle.eye.perspective ? distance : 1.0);
+    const glm::dvec3 light(lightInView);
+    /// All corners on the negative side of a plane through `point`, beyond what rounding may confuse.
+    const auto separates = [&](const glm::dvec3& normal, const glm::dvec3& point) {
+        return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+            return glm::dot(normal, corner - point) < -1e-6 * glm::length(normal) * glm::distance(corner, point);
+        });
+    };
+    // The light is on one side of the rectangle's plane; so is all that stands between them, and nearer than the light.
+    const glm::dvec3 center(0.0, 0.0, -distance);
+    const double side = -lightInView.z - distance * lightInView.w;
+    const glm::dvec3 towardsLight(0.0, 0.0, side > 0.0 ? -1.0 : 1.0);
+    if (side != 0.0 && separates(towardsLight, center)) return false;
+    if (lightInView.w != 0.0 && separates(-towardsLight, light)) return false;
+    for (int i = 0; i < 4; ++i) {
+        const auto cornerOf = [&](int k) {
+            const bool right = k == 1 || k == 2, top = k >= 2;
+            return glm::dvec3(right ? half.x : -half.x, top ? half.y : -half.y, -distance);
+        };
+        const glm::dvec3 here = cornerOf(i);
+        glm::dvec3 inward = glm::cross(cornerOf((i + 1) % 4) - here, light - lightInView.w * here);
+        const double inside = glm::dot(inward, center - here);
+        if (inside < 0.0) inward = -inward;
+        if (inside != 0.0 && separates(inward, here)) return false;
+    }
+    return true;
+}
+
 double radiusOf(std::span<const Geometry::Bounds> boxes) {
     if (boxes.empty()) return 0.0;
     glm::dvec3 low = boxes[0].low, high = boxes[0].high;

@@ -21,6 +21,18 @@ std::vector<Geometry::Bounds> worldBounds(const Geometry& geometry, std::span<co
 /// in range too, so skipping the rest as caster and receiver changes no pixel (docs/rules.md, G6).
 bool outOfReach(const Geometry::Bounds& worldBox, const glm::dvec3& lightPosition, double rangeMetres);
 
+/// Where counts begin, in view space: the picture's rectangle at a distance along the view axis, and a light,
+/// homogeneous.
+struct StartRectangle {
+    const Eye& eye;
+    double distance;
+};
+
+/// Whether the volume of something in a box may pass through the rectangle: false only if a plane of the pyramid
+/// between light and rectangle has the box on its other side.
+/// @param corners  of the box, in view space
+bool mayReach(const StartRectangle& rectangle, std::span<const glm::dvec3> corners, const glm::dvec4& lightInView);
+
 /// Half the diagonal of what the boxes span; 0 without any.
 double radiusOf(std::span<const Geometry::Bounds> boxes);
 

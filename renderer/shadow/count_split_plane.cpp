@@ -13,6 +13,7 @@ namespace {
 
 using Kind = VolumePart::Kind;
 using Rule = VolumePart::Rule;
+using Start = VolumePart::Start;
 
 class SplitPlaneCount : public CountTechnique {
 public:
@@ -30,7 +31,7 @@ public:
             const int crossings = list == LIST_HALVED && input.settings.halve ? 2 : 1;
             for (const std::uint32_t what : {list, list + LIST_EDGE_ON}) {
                 if (silhouettes.hostSummaries[input.l].lists[what].count == 0) continue;
-                plan.parts.push_back({Kind::Sides, Rule::Split, what, {}, crossings});
+                plan.parts.push_back({Kind::Sides, Rule::Split, Start::Eye, what, {}, crossings});
             }
         }
         addCaps(input, plan);
@@ -53,12 +54,13 @@ private:
         }
         if (!notInDepthBuffer.empty()) {
             for (const std::uint32_t cap : {CAP_TRUE, CAP_EDGE_ON}) {
-                plan.parts.push_back({Kind::Cap, Rule::Split, cap, notInDepthBuffer});
+                plan.parts.push_back({Kind::Cap, Rule::Split, Start::Eye, cap, notInDepthBuffer});
             }
         }
-        plan.parts.push_back({Kind::Cap, Rule::Split, CAP_FAR, all});
+        plan.parts.push_back({Kind::Cap, Rule::Split, Start::Eye, CAP_FAR, all});
         const bool positional = silhouettes.hostLightsInModel[input.group.first + input.l].w != 0.0f;
-        if (input.settings.perspective && positional) plan.parts.push_back({Kind::Cap, Rule::Split, CAP_DARK, all});
+        if (input.settings.perspective && positional)
+            plan.parts.push_back({Kind::Cap, Rule::Split, Start::Eye, CAP_DARK, all});
     }
 };
 

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shadow/counts.h"
 
+#include <array>
+
 namespace umbrage {
 namespace {
 
 using Rule = VolumePart::Rule;
 using Kind = VolumePart::Kind;
 
+using Start = VolumePart::Start;
+
 /// Instances of the group's casters that a part is for; `wanted` says which by index.
 template <class Wanted>
-void addCap(CountPlan& plan, std::uint32_t cap, Rule rule, const Silhouettes& silhouettes, std::uint32_t l,
+void addCap(CountPlan& plan, std::uint32_t cap, Rule rule, Start start, const Silhouettes& silhouettes, std::uint32_t l,
             Wanted wanted) {
-    VolumePart part{Kind::Cap, rule, cap, {}};
+    VolumePart part{Kind::Cap, rule, start, cap, {}};
     for (std::uint32_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
         const bool byFail = silhouettes.hostCasters[i].countedByFail >> l & 1u;
         if (byFail == (rule == Rule::Fail) && wanted(i)) part.instances.push_back(i);
@@ -19,10 +23,19 @@ void addCap(CountPlan& plan, std::uint32_t cap, Rule rule, const Silhouettes& si
     if (!part.instances.empty()) plan.parts.push_back(std::move(part));
 }
 
-void addSides(CountPlan& plan, std::uint32_t list, Rule rule, const gpu::LightSummary& summary) {
+void addSides(CountPlan& plan, std::uint32_t list, Rule rule, Start start, const gpu::LightSummary& summary) {
     for (const std::uint32_t part : {list, list + LIST_EDGE_ON}) {
-        if (summary.lists[part].count > 0) plan.parts.push_back({Kind::Sides, rule, part, {}});
+        if (summary.lists[part].count > 0) plan.parts.push_back({Kind::Sides, rule, start, part, {}});
     }
+}
+
+void keepParity(CountPlan& plan) {
+    plan.inverted = true;
+    plan.fullLitValue = plan.litValue;
+    plan.fullIsWide = plan.wide;
+    plan.wide = false;
+    plan.litValue = -(plan.litValue & 1);  // no bit, or all
+    for (VolumePart& part : plan.parts) part.inverts = true;
 }
 
 }  // namespace
@@ -31,41 +44,77 @@ std::vector<CountPlan> CountTechnique::plan(const CountInput& input) const {
     const auto& [silhouettes, group, l, layerBound, parallelToView, settings] = input;
     if (silhouettes.hostCasters.empty()) return {};
     const gpu::LightSummary& summary = silhouettes.hostSummaries[l];
+    const Start start = this->start();
     const auto eyeInside = [&](std::uint32_t list) {
-        return input.settings.eyeConstant ? int(summary.eyeInside[list]) : 0;
+        return settings.eyeConstant && hasEyeConstant() ? int(summary.eyeInside[list]) : 0;
     };
     std::vector<CountPlan> plans;
 
     CountPlan halved;
     halved.layerBound = layerBound;
-    if (!parallelToView) addSides(halved, LIST_HALVED, Rule::Pass, summary);
+    if (!parallelToView) addSides(halved, LIST_HALVED, Rule::Pass, start, summary);
     const int crossings = settings.halve ? 2 : 1;  // for a quad
-    halved.litValue = -eyeInside(LIST_HALVED) / crossings;
+    halved.eyeLayers = eyeInside(LIST_HALVED);
+    halved.litValue = -halved.eyeLayers / crossings;
     halved.wide = layerBound > (settings.halve ? 511 : 255);
-    halved.allDark = settings.halve && eyeInside(LIST_HALVED) % 2 != 0;
-    if (!halved.parts.empty() || eyeInside(LIST_HALVED) != 0) plans.push_back(std::move(halved));
+    halved.allDark = settings.halve && halved.eyeLayers % 2 != 0;
+    if (!halved.parts.empty() || halved.eyeLayers != 0) plans.push_back(std::move(halved));
 
     const auto notInDepthBuffer = [&](std::uint32_t i) {
-        return input.settings.holed[i] || input.silhouettes.hostCasters[i].missing != 0;
+        return settings.holed[i] || silhouettes.hostCasters[i].missing != 0;
     };
+    const auto all = [](std::uint32_t) { return true; };
     CountPlan whole;
     whole.layerBound = layerBound;
-    if (!parallelToView) addSides(whole, LIST_WHOLE, Rule::Pass, summary);
+    if (!parallelToView) addSides(whole, LIST_WHOLE, Rule::Pass, start, summary);
     for (const std::uint32_t cap : {CAP_TRUE, CAP_EDGE_ON}) {
-        addCap(whole, cap, Rule::Pass, silhouettes, l, notInDepthBuffer);
-        addCap(whole, cap, Rule::Fail, silhouettes, l, notInDepthBuffer);
+        addCap(whole, cap, Rule::Pass, start, silhouettes, l, notInDepthBuffer);
+        addCap(whole, cap, Rule::Fail, Start::Eye, silhouettes, l, notInDepthBuffer);
     }
-    addSides(whole, LIST_FAIL, Rule::Fail, summary);
-    addCap(whole, CAP_FAR, Rule::Fail, silhouettes, l, [](std::uint32_t) { return true; });
+    addSides(whole, LIST_FAIL, Rule::Fail, Start::Eye, summary);
+    addCap(whole, CAP_FAR, Rule::Fail, Start::Eye, silhouettes, l, all);
     // All ends of a directional light's volumes meet in one point, and an orthographic eye sees no point at infinity.
     const bool positional = silhouettes.hostLightsInModel[group.first + l].w != 0.0f;
-    if (settings.perspective && positional) {
-        addCap(whole, CAP_DARK, Rule::Fail, silhouettes, l, [](std::uint32_t) { return true; });
-    }
+    const double endMetres = this->endMetres(group.first + l);
+    if ((settings.perspective && positional) || endMetres > 0.0)
+        addCap(whole, CAP_DARK, Rule::Fail, Start::Eye, silhouettes, l, all);
+    addStart(whole, input);
     whole.wide = layerBound > 255;
-    whole.litValue = -(eyeInside(LIST_WHOLE) + eyeInside(LIST_FAIL));
-    if (!whole.parts.empty() || whole.litValue != 0) plans.push_back(std::move(whole));
+    whole.eyeLayers = eyeInside(LIST_WHOLE) + eyeInside(LIST_FAIL);
+    whole.litValue = -whole.eyeLayers;
+    if (!whole.parts.empty() || whole.eyeLayers != 0) plans.push_back(std::move(whole));
+    for (CountPlan& plan : plans) {
+        if (inverts()) keepParity(plan);
+        for (VolumePart& part : plan.parts) part.endMetres = float(endMetres);
+    }
     return plans;
+}
+
+void ReachingCasters::find(const CountFrame& frame, double distance) {
+    std::vector<glm::dvec4> lights;
+    for (const ShadowLight& light : frame.lights) lights.push_back(frame.eye.viewFromWorld * light);
+    reach_.assign(frame.modelBounds.size(), std::vector<bool>(lights.size()));
+    for (std::size_t i = 0; i < reach_.size(); ++i) {
+        const glm::dmat4 viewFromModel = frame.eye.viewFromWorld * frame.geometry.worldFromModel(i);
+        const auto& [low, high] = frame.modelBounds[i];
+        std::array<glm::dvec3, 8> corners;
+        for (std::size_t k = 0; k < 8; ++k) {
+            const glm::dvec4 corner(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z, 1.0);
+            corners[k] = glm::dvec3(viewFromModel * corner);
+        }
+        for (std::size_t l = 0; l < lights.size(); ++l)
+            reach_[i][l] = mayReach({frame.eye, distance}, corners, lights[l]);
+    }
+}
+
+std::vector<std::uint32_t> ReachingCasters::of(const CountInput& input) const {
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t i = 0; i < reach_.size(); ++i) {
+        const gpu::CasterState& caster = input.silhouettes.hostCasters[i];
+        if (!reach_[i][input.group.first + input.l]) continue;
+        if (((caster.outOfReach | caster.countedByFail) >> input.l & 1u) == 0) found.push_back(i);
+    }
+    return found;
 }
 
 }  // namespace umbrage

@@ -11,10 +11,13 @@
 //  - whole: all other casters, and those that need caps or z-fail (T1, T4), with full multiplicities.
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "shadow/bounds.h"
 #include "shadow/eye.h"
 #include "shadow/volumes.h"
 
@@ -27,8 +30,12 @@ struct CountPlan {
     bool allDark = false;               // the eye constant alone decides
     bool wide = false;                  // counts may exceed what 8 bits hold (T6)
     std::uint32_t layerBound = 0;       // no count is larger
+    int eyeLayers = 0;                  // volumes that hold every sample's start, and that no part counts
     bool byParts = false;               // its parts have Rule::Split, so that it is wide ...
     std::vector<std::uint32_t> starts;  // ... and these parts of the casters start from a constant of their own
+    bool inverted = false;              // only parity is kept; of the full count:
+    int fullLitValue = 0;
+    bool fullIsWide = false;
 };
 
 /// What plans depend on beside the silhouettes.
@@ -49,22 +56,77 @@ struct CountInput {
     const CountSettings& settings;
 };
 
+/// What techniques may look at before the silhouettes of a frame are found.
+struct CountFrame {
+    const Geometry& geometry;
+    std::span<const Geometry::Bounds> modelBounds;  // per instance
+    const Eye& eye;
+    std::span<const ShadowLight> lights;   // all that shine
+    std::span<const double> rangesMetres;  // of them; 0: infinite
+};
+
 /// A way of counting. One a file: count_<name>.cpp; what they share is in counts.cpp and volumes.cpp.
 class CountTechnique {
 public:
     virtual ~CountTechnique() = default;
 
+    /// Share of the depth range that it needs before what is seen.
+    virtual double ledge() const { return 0.0; }
+
+    virtual void begin(const CountFrame&) {}
+
+    /// Why it may be wrong for a light of the frame; empty: it is exact, as far as it claims that at all.
+    virtual std::string whyInexact(std::uint32_t) const { return {}; }
+
+    /// Whether a caster must not be halved in this frame.
+    virtual bool countsWhole(std::uint32_t) const { return false; }
+
+    /// Where counts from the eye begin.
+    virtual VolumePart::Start start() const { return VolumePart::Start::Eye; }
+
     /// Whether casters are counted by z-fail, from infinity, unless the eye is near their volumes; else from the eye.
     virtual bool fromInfinity() const { return false; }
+
+    /// Whether something is wrong where rasteriser and eye constant disagree (T4).
+    virtual bool hasEyeConstant() const { return start() == VolumePart::Start::Eye; }
+
+    /// Where volumes of a light of the frame end, from the light (of a directional one, from the caster); 0: nowhere.
+    virtual double endMetres(std::uint32_t) const { return 0.0; }
+
+    /// Whether every crossing inverts the count's bits instead of adding to it.
+    virtual bool inverts() const { return false; }
 
     /// Whether it counts by parts of the casters (Silhouettes::parts).
     virtual bool byParts() const { return false; }
 
     /// The halved and the whole count of a light, as far as there is something to count.
     virtual std::vector<CountPlan> plan(const CountInput& input) const;
+
+protected:
+    /// What the whole count needs where counts begin elsewhere than at the eye: what an eye constant is for the others.
+    virtual void addStart(CountPlan&, const CountInput&) const {}
+};
+
+/// Casters whose volumes may pass through the picture's rectangle at some distance, light by light: those need caps
+/// there, and the others none.
+class ReachingCasters {
+public:
+    void find(const CountFrame& frame, double distance);
+    bool any(std::uint32_t instance) const {
+        return std::ranges::find(reach_[instance], true) != reach_[instance].end();
+    }
+    /// Those of a light of the frame that are not out of its reach, ascending.
+    std::vector<std::uint32_t> of(const CountInput& input) const;
+
+private:
+    std::vector<std::vector<bool>> reach_;  // per instance and light
+};
+
+struct CountOptions {
+    double endMetres = 0.0;  // of techniques whose volumes end; 0: they choose
 };
 
 /// @param name  of kCounts
-std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name);
+std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name, const CountOptions& options = {});
 
 }  // namespace umbrage

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "shadow/ledge.h"
+
 namespace umbrage {
 
 Eye makeEye(const PlacedCamera& placed, int width, int height) {
@@ -41,6 +43,8 @@ gpu::ViewData viewDataOf(const Eye& eye) {
     data.zfar = float(eye.zfar);
     data.perspective = eye.perspective;
     data.emptyDepth = eye.emptyDepth();
+    data.capDistance = float(capDistance(eye));
+    data.sceneDepths = float(1.0 - eye.ledge);
     return data;
 }
 

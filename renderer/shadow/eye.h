@@ -16,10 +16,11 @@ struct Eye {
     bool perspective = true;
     double znear = 0.1, zfar = 0.0;  // zfar 0: infinite
     glm::dvec2 rayScale{1.0};        // half extent of the image at distance 1 (perspective) or in metres
+    double ledge = 0.0;              // share of the depth range before the near plane (shadow/ledge.h)
 
     /// What the depth buffer is cleared to: nothing is seen beyond zfar, and nothing is clipped there either, so that
     /// what casts from beyond is whole (T12).
-    float emptyDepth() const { return perspective && zfar > 0.0 ? float(znear / zfar) : 0.0f; }
+    float emptyDepth() const { return perspective && zfar > 0.0 ? float((1.0 - ledge) * znear / zfar) : 0.0f; }
 
     glm::dvec3 position() const { return glm::dvec3(worldFromView[3]); }
     /// Homogeneous: the eye, or for an orthographic camera the direction towards the viewer, w = 0.

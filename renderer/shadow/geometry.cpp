@@ -92,7 +92,8 @@ Geometry::Geometry(const Scene& scene, const Moment& first, bool worldFloats)
         range.triangleCount = mesh.triangleCount();
         range.firstEdge = std::uint32_t(edges_.size());
         range.edgeCount = std::uint32_t(topology.edges.size());
-        vertexCount_ += std::uint32_t(mesh.positions.size());
+        range.vertexCount = std::uint32_t(mesh.positions.size());
+        vertexCount_ += range.vertexCount;
         range.boundsMin = glm::vec3(std::numeric_limits<float>::max());
         range.boundsMax = -range.boundsMin;
         for (const glm::vec3& p : mesh.positions) {
@@ -286,10 +287,16 @@ void Geometry::deform(const Scene& scene, const Moment& moment, const glm::dvec3
                                  GLuint(i),
                                  tangents_.sizeBytes() > 0 ? 1u : 0u};
         for (std::size_t k = 0; k < std::size(values); ++k) deformProgram_.uniform(GLint(k), values[k]);
-        const Displacement* noise = placed.displacement == kNone ? nullptr : &scene.displacements[placed.displacement];
-        deformProgram_.uniform(11, noise ? noise->amplitude : 0.0f);
-        deformProgram_.uniform(12, noise ? noise->frequency : 0.0f);
-        deformProgram_.uniform(13, noise ? float(noise->speed * moment.timeSeconds) : 0.0f);
+        float amplitude = 0.0f;
+        if (placed.displacement != kNone) {
+            const Displacement& procedure = scene.displacements[std::size_t(placed.displacement)];
+            sample(procedure.amplitude, moment.timeSeconds, false, std::span(&amplitude, 1));
+            deformProgram_.uniform(12, procedure.frequency);
+            deformProgram_.uniform(13, float(double(procedure.speed) * moment.timeSeconds));
+            deformProgram_.uniform(15, GLuint(procedure.kind));
+            glProgramUniform3fv(deformProgram_.name(), 16, 1, &procedure.axis[0]);
+        }
+        deformProgram_.uniform(11, amplitude);
         deformProgram_.uniform(14, firstWeight);
         firstWeight += own.morphCount;
         deformProgram_.dispatchGroups(roundUpToChunks(own.vertexCount));

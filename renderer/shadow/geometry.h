@@ -51,6 +51,7 @@ public:
     /// Where the indices of a primitive of a mesh begin in that array's element buffer.
     std::uint32_t firstIndex(std::uint32_t mesh, const Primitive& primitive) const;
     std::uint32_t meshOf(std::size_t instance) const { return instanceMesh_[instance]; }
+    std::uint32_t vertexCountOf(std::size_t instance) const { return ranges_[instanceMesh_[instance]].vertexCount; }
 
     struct Bounds {
         glm::dvec3 low{0.0}, high{0.0};
@@ -75,7 +76,8 @@ public:
 
 private:
     struct MeshRange {
-        std::uint32_t firstVertex = 0, firstTriangle = 0, triangleCount = 0, firstEdge = 0, edgeCount = 0;
+        std::uint32_t firstVertex = 0, vertexCount = 0, firstTriangle = 0, triangleCount = 0, firstEdge = 0,
+                      edgeCount = 0;
         std::uint32_t firstOtherIndex = 0;  // lines and points: after the triangles of all meshes
         glm::vec3 origin{0.0f};             // of the positions here, in the mesh's own space
         glm::vec3 boundsMin{0.0f}, boundsMax{0.0f};

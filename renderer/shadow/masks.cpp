@@ -41,26 +41,54 @@ void Masks::count(const CountPlan& plan, VolumeRenderer& renderer, const Geometr
     if (plan.wide && !plan.allDark) {
         countByBlending(plan, renderer, geometry, silhouettes, group, l);
     } else {
-        countByStencil(plan, renderer, geometry, silhouettes, group, l);
+        if (!plan.allDark) drawIntoStencil(plan, renderer, geometry, silhouettes, group, l);
+        gpu::Stencil stencil;
+        stencil.enabled = !plan.allDark;
+        stencil.function = GL_NOTEQUAL;
+        stencil.reference = plan.litValue & 0xff;
+        mark(markProgram_, stencil, group, l);
     }
 }
 
-void Masks::countByStencil(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
-                           const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
-    if (!plan.allDark) {
-        stencilOnly_.bind();
-        glStencilMask(0xff);
-        const GLint zero = 0;
-        glClearBufferiv(GL_STENCIL, 0, &zero);
-        for (const VolumePart& part : plan.parts) {
-            renderer.draw(part, VolumeRenderer::Into::Stencil, geometry, silhouettes, group, l);
-        }
+void Masks::drawIntoStencil(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
+                            const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    stencilOnly_.bind();
+    glStencilMask(0xff);
+    const GLint zero = 0;
+    glClearBufferiv(GL_STENCIL, 0, &zero);
+    for (const VolumePart& part : plan.parts) {
+        renderer.draw(part, VolumeRenderer::Into::Stencil, geometry, silhouettes, group, l);
     }
+}
+
+bool Masks::parityTells(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
+                        const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
+    if (plan.allDark) return true;
+    if (plan.fullIsWide) return false;  // more than is counted here
+    CountPlan full = plan;
+    for (VolumePart& part : full.parts) part.inverts = false;
+    drawIntoStencil(full, renderer, geometry, silhouettes, group, l);
     gpu::Stencil stencil;
-    stencil.enabled = !plan.allDark;
-    stencil.function = GL_NOTEQUAL;
-    stencil.reference = plan.litValue & 0xff;
-    mark(markProgram_, stencil, group, l);
+    stencil.enabled = true;
+    stencil.function = GL_EQUAL;
+    stencil.reference = plan.fullLitValue & 0xff;
+    const std::uint64_t lit = samplesWith(stencil);
+    stencil.compared = 1;
+    return samplesWith(stencil) == lit;
+}
+
+std::uint64_t Masks::samplesWith(const gpu::Stencil& stencil) {
+    gpu::RasterState state;
+    state.stencil = stencil;
+    gpu::apply(state);
+    const gpu::SampleQuery query("samples of a count");
+    query.begin();
+    everywhere_.use();
+    noVertices_.bind();
+    ++gpu::activity().draws;
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    query.end();
+    return query.result();
 }
 
 void Masks::countByBlending(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,

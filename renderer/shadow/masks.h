@@ -16,6 +16,11 @@ public:
     void count(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
                const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
+    /// Whether a plan that keeps only parity says the truth: counts in full, and looks for counts that are even but not
+    /// zero. Waits.
+    bool parityTells(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
+                     const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+
     /// Layer g: bits of lights 32 g to 32 g + 31.
     const gpu::Texture& texture() const { return texture_; }
     void clear();
@@ -31,13 +36,14 @@ public:
     std::vector<std::uint32_t> readCounts(const CountPlan& plan) const;
 
 private:
-    void countByStencil(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
-                        const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
+    void drawIntoStencil(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
+                         const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
     void countByBlending(const CountPlan& plan, VolumeRenderer& renderer, const Geometry& geometry,
                          const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
     void copyDepth();
     void start(std::span<const std::uint32_t> parts);
     const gpu::Framebuffer& singleSampled(bool wide) const;
+    std::uint64_t samplesWith(const gpu::Stencil& stencil);
     void mark(const gpu::Program& program, const gpu::Stencil& stencil, const LightGroup& group, std::uint32_t l);
 
     const gpu::Texture& depthStencil_;
@@ -48,6 +54,7 @@ private:
     gpu::Framebuffer oneSampleTarget_, oneWideSampleTarget_;
     gpu::Program firstSampleProgram_{"fullscreen.vert", "first_sample.frag"};
     gpu::Program markProgram_{"fullscreen.vert", "mask.frag"};
+    gpu::Program everywhere_{"fullscreen.vert"};
     gpu::Texture wideCounts_;  // R32F; these on first use
     gpu::Framebuffer wideTarget_;
     gpu::Program markWideProgram_;

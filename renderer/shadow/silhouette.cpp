@@ -15,6 +15,11 @@ void Silhouettes::bind() const {
     if (parts) parts->bind();
 }
 
+std::uint32_t listOf(const gpu::InstanceData& instance, const gpu::CasterState& caster, std::uint32_t l, bool even) {
+    if (caster.countedByFail >> l & 1u) return LIST_FAIL;
+    return even && !(instance.flags & INSTANCE_WHOLE) && !(caster.lightOn >> l & 1u) ? LIST_HALVED : LIST_WHOLE;
+}
+
 void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out) {
     out.totalLights = std::uint32_t(lights.size());
     out.facingStride = geometry.placedTriangleCount();
@@ -99,7 +104,10 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
     std::vector<std::uint32_t> moved(out.hostCasters.size());  // bits of lights that were moved for it
     if (out.capacity == 0) out.capacity = 1024 + geometry.placedEdgeCount() / 16;
     for (;;) {
-        out.quads.reserve("side quads", std::size_t(group.count) * LIST_COUNT * out.capacity * sizeof(std::uint32_t));
+        if (technique.fillsLists()) {
+            out.quads.reserve("side quads",
+                              std::size_t(group.count) * LIST_COUNT * out.capacity * sizeof(std::uint32_t));
+        }
         clearSummaries(out, group.count, out.hostSummaries);
         out.summaries.write(std::span<const gpu::LightSummary>(out.hostSummaries));
         out.casters.write(std::span<const gpu::CasterState>(out.hostCasters));
@@ -107,11 +115,12 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
         technique.sweep(geometry, group, options, out);
 
         const std::uint32_t needed = largestList(out.hostSummaries);
-        bool again = needed > out.capacity;
+        bool again = technique.fillsLists() && needed > out.capacity;
         bool lightsMoved = out.parts && moveLightsOfUnsafeParts(geometry, group, moved, out);
         if (again) out.capacity = needed + needed / 4;
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];
+            caster.hazards &= options.hazards;
             if (const std::uint32_t found = caster.hazards & changed[i] & ~moved[i]; found != 0) {
                 for (std::uint32_t l = 0; l < group.count; ++l) {
                     if (!(found >> l & 1u)) continue;

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Silhouettes: from lights and geometry to stored facing bits and lists of side quads on the device. One technique a
-// file; all of them fill the same buffers, so that counting does not know which one ran.
+// Silhouettes: from lights and geometry to stored facing bits and side quads on the device. One technique a file; all
+// of them fill the same buffers and draw the same quads, listed or not, so that counting does not know which one ran.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "gpu/objects.h"
+#include "gpu/program.h"
 #include "shadow/fault.h"
 #include "shadow/geometry.h"
 #include "shadow/split_parts.h"
@@ -30,13 +32,14 @@ struct Silhouettes {
     gpu::Buffer planes;         // vec4 per placed triangle: view space
     gpu::Buffer casters;        // gpu::CasterState per instance
     gpu::Buffer summaries;      // gpu::LightSummary per light of the group; also the indirect draw commands
-    gpu::Buffer quads;          // capacity entries per list and light
+    gpu::Buffer quads;          // capacity entries per list and light, of techniques that fill lists
     std::uint32_t capacity = 0;
 
     std::vector<glm::vec4> hostLightsInModel;
     std::vector<gpu::LightSummary> hostSummaries;
     std::vector<gpu::CasterState> hostCasters;
     std::uint32_t totalLights = 0, facingStride = 0;
+    std::vector<std::array<glm::vec4, 6>> extents;  // faces of what each light of the group shines on, in view space
 
     SplitParts* parts = nullptr;  // where counts are made by parts: not owned
 
@@ -44,25 +47,57 @@ struct Silhouettes {
     void bind() const;
 };
 
+/// Of light `l` of the group: 0, or 1 + the face of its extent that sides end behind.
+inline std::uint32_t endOfSides(const gpu::CasterState& caster, std::uint32_t l) {
+    return caster.ends[l / 10] >> (3 * (l % 10)) & 7u;
+}
+
 struct SweepOptions {
-    bool halve = true;     // LIST_HALVED gets one quad for two crossings, else both
-    bool figures = false;  // also count lit triangles and silhouette edges
+    bool halve = true;            // LIST_HALVED gets one quad for two crossings, else both
+    bool figures = false;         // also count lit triangles and silhouette edges
+    std::uint32_t hazards = ~0u;  // bits of lights: for others nothing depends on an eye constant (T4)
+};
+
+/// What makes the corners of a technique's side quads: quad.vert for those that are listed, or others that end in
+/// side_quad.glsl.
+struct SideShaders {
+    const char* vertex;
+    const char* geometry = "";
+    gpu::Program::Defines defines{};
+};
+
+/// The side quads in one list of a light.
+struct SideList {
+    const Geometry& geometry;
+    const Silhouettes& silhouettes;
+    const LightGroup& group;
+    std::uint32_t l = 0;     // of the group, which was swept last
+    std::uint32_t list = 0;  // LIST_... (+ LIST_EDGE_ON)
 };
 
 class SilhouetteTechnique {
 public:
     virtual ~SilhouetteTechnique() = default;
     virtual std::string_view name() const = 0;
+    /// Whether a sweep fills Silhouettes::quads; else quads are found while they are drawn.
+    virtual bool fillsLists() const { return true; }
 
     /// One sweep over the triangles and edges. `casters` says which are counted by z-fail; the sweep adds hazards to
     /// it, and fills everything else. Lists that outgrow `capacity` are cut, but their counts are right.
     virtual void sweep(const Geometry& geometry, const LightGroup& group, const SweepOptions& options,
                        Silhouettes& out) = 0;
+
+    virtual SideShaders sideShaders() const = 0;
+    /// Draws by a program of those shaders, which is in use with its uniforms 0 and 1 and all storage bound.
+    virtual void drawSides(const SideList& sides, const gpu::Program& program) = 0;
 };
 
-/// @param name  "compute" or "cpu"
+/// @param name  of kSilhouettes
 /// @param fault  planted into the device's own
 std::unique_ptr<SilhouetteTechnique> makeSilhouetteTechnique(std::string_view name, Fault fault = Fault::None);
+
+/// Which list a caster's side quads go to: see caster_lists.glsl. @param l  of the group
+std::uint32_t listOf(const gpu::InstanceData& instance, const gpu::CasterState& caster, std::uint32_t l, bool even);
 
 /// Lights into every instance's model space, in double and rounded once (docs/rules.md, G3).
 void placeLights(const Geometry& geometry, std::span<const ShadowLight> lights, Silhouettes& out);

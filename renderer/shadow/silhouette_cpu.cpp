@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "shadow/silhouette.h"
+#include "shadow/sides.h"
 
 namespace umbrage {
 namespace {
@@ -138,6 +138,8 @@ bool isOver(const glm::vec4& end, const glm::vec4& light, float lightSide, const
 class CpuSilhouettes : public SilhouetteTechnique {
 public:
     std::string_view name() const override { return "cpu"; }
+    SideShaders sideShaders() const override { return ListedSides::shaders(); }
+    void drawSides(const SideList& sides, const gpu::Program&) override { sides_.draw(sides); }
 
     void sweep(const Geometry& geometry, const LightGroup& group, const SweepOptions& options,
                Silhouettes& out) override {
@@ -161,11 +163,6 @@ private:
                                     std::uint32_t l) {
         return out.hostLightsInModel[std::size_t(instance) * out.totalLights + group.first + l];
     }
-    static std::uint32_t listOf(const gpu::InstanceData& instance, const gpu::CasterState& caster, std::uint32_t l,
-                                bool even) {
-        if (caster.countedByFail >> l & 1u) return LIST_FAIL;
-        return even && !(instance.flags & INSTANCE_WHOLE) && !(caster.lightOn >> l & 1u) ? LIST_HALVED : LIST_WHOLE;
-    }
 
     void faceTriangles(const Geometry& geometry, std::uint32_t i, const LightGroup& group, Silhouettes& out);
     void countEye(const gpu::InstanceData& instance, const glm::vec4& light, float lightSide,
@@ -185,6 +182,7 @@ private:
     std::vector<gpu::uvec2> facing_;
     std::vector<gpu::vec4> planes_;
     std::vector<std::vector<std::uint32_t>> entries_;  // light-major, LIST_COUNT lists each
+    ListedSides sides_;
 };
 
 void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, const LightGroup& group,
@@ -215,7 +213,7 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
             planes_[instance.placedTriangleBase + first + k] = {normal, -glm::dot(normal, inView)};
         }
         for (std::uint32_t l = 0; l < group.count; ++l) {
-            if (out.hostCasters[i].outOfReach >> l & 1u) continue;
+            if ((out.hostCasters[i].outOfReach | out.hostCasters[i].outOfView) >> l & 1u) continue;
             const glm::vec4 light = lightOf(out, i, group, l);
             for (std::uint32_t k = 0; k < count; ++k) {
                 const float dx = light.x - light.w * ax[k], dy = light.y - light.w * ay[k],
@@ -358,12 +356,9 @@ bool CpuSilhouettes::findHazards(const gpu::InstanceData& instance, std::uint32_
 
 void CpuSilhouettes::upload(const LightGroup& group, Silhouettes& out) {
     for (std::uint32_t list = 0; list < group.count * LIST_COUNT; ++list) {
-        const std::vector<std::uint32_t>& entries = entries_[list];
-        out.hostSummaries[list / LIST_COUNT].lists[list % LIST_COUNT].count = std::uint32_t(6 * entries.size());
-        const std::size_t kept = std::min<std::size_t>(entries.size(), out.capacity);
-        out.quads.write(std::size_t(list) * out.capacity * sizeof(std::uint32_t), kept * sizeof(std::uint32_t),
-                        entries.data());
+        out.hostSummaries[list / LIST_COUNT].lists[list % LIST_COUNT].count = std::uint32_t(6 * entries_[list].size());
     }
+    ListedSides::upload(entries_, out);
     out.summaries.write(std::span<const gpu::LightSummary>(out.hostSummaries));
     out.casters.write(std::span<const gpu::CasterState>(out.hostCasters));
     if (out.parts) out.parts->upload();

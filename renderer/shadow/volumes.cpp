@@ -10,15 +10,24 @@ namespace {
 using Rule = VolumePart::Rule;
 using Kind = VolumePart::Kind;
 
-gpu::RasterState rasterState(Rule rule, VolumeRenderer::Into into) {
+constexpr GLsizei kCutVertices = 9;  // of a side or cap that is cut: up to five corners
+
+/// @param rule  of this draw: one of both for a part that is split
+gpu::RasterState rasterState(Rule rule, const VolumePart& part, VolumeRenderer::Into into) {
     using Into = VolumeRenderer::Into;
     gpu::RasterState state;
-    state.depthClamp = true;  // every view ray starts at the eye itself (G5)
+    state.depthClamp = part.start != VolumePart::Start::NearPlane;  // every view ray starts at the eye itself (G5)
     state.depth = gpu::Depth::Nearer;
+    const bool lightView = part.what == CAP_LIGHT_VIEW && part.kind == Kind::Cap;
+    if (lightView) state.depth = gpu::Depth::Off;
     switch (into) {
         case Into::Stencil:
             state.stencil.enabled = true;
-            if (rule == Rule::Fail) {
+            if (part.inverts) {
+                const bool fails = rule == Rule::Fail;
+                (fails ? state.stencil.frontDepthFail : state.stencil.frontPass) = GL_INVERT;
+                (fails ? state.stencil.backDepthFail : state.stencil.backPass) = GL_INVERT;
+            } else if (rule == Rule::Fail) {
                 state.stencil.frontDepthFail = GL_DECR_WRAP;
                 state.stencil.backDepthFail = GL_INCR_WRAP;
             } else {
@@ -70,29 +79,82 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into, Rule rule) const {
     }
 }
 
-VolumeRenderer::Programs VolumeRenderer::programs(const char* vertex, bool edgeOn, int samples) {
-    const auto variant = [&](const char* fragment, std::vector<std::string> defines) {
+VolumeRenderer::Programs VolumeRenderer::programs(const SideShaders& shaders, bool edgeOn, int samples, bool finite) {
+    const bool caps = std::string_view(shaders.vertex).find("cap") != std::string_view::npos;
+    const auto variant = [&](const char* fragment, gpu::Program::Defines defines) {
+        defines.insert(defines.end(), shaders.defines.begin(), shaders.defines.end());
+        if (finite) defines.push_back("FINITE 1");
+        return gpu::Program(shaders.vertex, fragment, std::move(defines), shaders.geometry);
+    };
+    const auto held = [&](const char* fragment, gpu::Program::Defines defines) {
         if (edgeOn) defines.push_back("EDGE_ON 1");
-        if (edgeOn && std::string_view(vertex) == "cap.vert") defines.push_back("PUSHED_BACK 1");
-        return gpu::Program(vertex, fragment, std::move(defines));
+        if (std::string_view(shaders.vertex) == "light_view.vert") defines.push_back("LIGHT_VIEW 1");
+        if (edgeOn && caps) defines.push_back("PUSHED_BACK 1");
+        return variant(fragment, std::move(defines));
     };
     const std::string sampled = "SAMPLES " + std::to_string(samples);
-    return {edgeOn ? variant("count.frag", {"STENCIL_ONLY 1"}) : gpu::Program(vertex),
-            variant("count.frag", {"SIGNED 1"}),
-            variant("tally.frag", {sampled}),
-            variant("tally.frag", {"TALLY 1", sampled}),
-            gpu::Program(vertex, "attribution.frag", {"TALLY 1"}),
-            gpu::Program(vertex, "hull.frag"),
-            variant("count.frag", {"SIGNED 1", "PARTS 1", sampled}),
-            variant("tally.frag", {"PARTS 1", sampled}),
-            variant("tally.frag", {"PARTS 1", "TALLY 1", sampled})};
+    return {edgeOn ? held("count.frag", {"STENCIL_ONLY 1"}) : variant("", {}),
+            held("count.frag", {"SIGNED 1"}),
+            held("tally.frag", {sampled}),
+            held("tally.frag", {"TALLY 1", "CASES 1", sampled}),
+            variant("attribution.frag", {"TALLY 1"}),
+            variant("hull.frag", {}),
+            held("count.frag", {"SIGNED 1", "PARTS 1", sampled}),
+            held("tally.frag", {"PARTS 1", sampled}),
+            held("tally.frag", {"PARTS 1", "TALLY 1", sampled})};
 }
 
-VolumeRenderer::VolumeRenderer(int samples)
-    : sides_(programs("quad.vert", false, samples)),
-      edgeOnSides_(programs("quad.vert", true, samples)),
-      caps_(programs("cap.vert", false, samples)),
-      edgeOnCaps_(programs("cap.vert", true, samples)) {}
+VolumeRenderer::VolumeRenderer(int samples, SilhouetteTechnique& technique)
+    : technique_(technique),
+      sides_(programs(technique.sideShaders(), false, samples)),
+      edgeOnSides_(programs(technique.sideShaders(), true, samples)),
+      caps_(programs({"cap.vert"}, false, samples)),
+      edgeOnCaps_(programs({"cap.vert"}, true, samples)),
+      cutSides_(programs({"near_side.vert"}, false, samples)),
+      edgeOnCutSides_(programs({"near_side.vert"}, true, samples)),
+      cutCaps_(programs({"near_cap.vert"}, false, samples)),
+      edgeOnCutCaps_(programs({"near_cap.vert"}, true, samples)),
+      lightViews_(programs({"light_view.vert"}, false, samples)),
+      finiteSides_(programs(technique.sideShaders(), false, samples, true)),
+      edgeOnFiniteSides_(programs(technique.sideShaders(), true, samples, true)),
+      finiteCaps_(programs({"cap.vert"}, false, samples, true)) {}
+
+namespace {
+
+bool isEdgeOn(const VolumePart& part) {
+    return part.kind == Kind::Cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
+}
+
+/// While it lives, what is drawn may also be on the ledge.
+class OnLedge {
+public:
+    explicit OnLedge(bool on) : on_(on) {
+        if (on_) glDepthRangef(0.0f, 1.0f);
+    }
+    ~OnLedge() {
+        if (on_) glDepthRangef(0.0f, 1.0f - float(LEDGE));
+    }
+    OnLedge(const OnLedge&) = delete;
+    OnLedge& operator=(const OnLedge&) = delete;
+
+private:
+    bool on_;
+};
+
+}  // namespace
+
+const VolumeRenderer::Programs& VolumeRenderer::programsOf(const VolumePart& part) const {
+    const bool edgeOn = isEdgeOn(part), cut = part.start == VolumePart::Start::CapPlane;
+    if (part.kind == Kind::Cap) {
+        if (cut) return edgeOn ? edgeOnCutCaps_ : cutCaps_;
+        if (part.what == CAP_LIGHT_VIEW) return lightViews_;
+        if (part.endMetres > 0.0f && !edgeOn) return finiteCaps_;
+        return edgeOn ? edgeOnCaps_ : caps_;
+    }
+    if (part.endMetres > 0.0f) return edgeOn ? edgeOnFiniteSides_ : finiteSides_;
+    if (cut) return edgeOn ? edgeOnCutSides_ : cutSides_;
+    return edgeOn ? edgeOnSides_ : sides_;
+}
 
 void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geometry, const Silhouettes& silhouettes,
                           const LightGroup& group, std::uint32_t l) {
@@ -109,13 +171,13 @@ void VolumeRenderer::draw(const VolumePart& part, Into into, const Geometry& geo
 
 void VolumeRenderer::drawBy(Rule rule, const VolumePart& part, Into into, const Geometry& geometry,
                             const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l) {
-    gpu::RasterState state = rasterState(rule, into);
-    const bool cap = part.kind == Kind::Cap, edgeOn = cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
-    state.everySample = edgeOn;  // a depth of its own for each sample
-    const Programs& programs = cap ? (edgeOn ? edgeOnCaps_ : caps_) : (edgeOn ? edgeOnSides_ : sides_);
-    const gpu::Program& program = programs.of(into, part.rule);
+    gpu::RasterState state = rasterState(rule, part, into);
+    state.everySample = isEdgeOn(part);  // a depth of its own for each sample
+    const gpu::Program& program = programsOf(part).of(into, part.rule);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
+    if (part.endMetres > 0.0f && !(part.kind == Kind::Cap && isEdgeOn(part)))
+        program.uniform(VOLUME_END, part.endMetres);
     if (into == Into::Counter) {
         program.uniform(COUNT_FRONT_VALUE, float(rule == Rule::Fail ? -part.crossings : part.crossings));
     }
@@ -130,33 +192,29 @@ void VolumeRenderer::drawBy(Rule rule, const VolumePart& part, Into into, const 
     }
     geometry.bind();
     silhouettes.bind();
-    vertexArray_.bind();
     program.use();
-    if (cap) {
+    const bool cut = part.start == VolumePart::Start::CapPlane;
+    const OnLedge onLedge(cut);
+    if (part.kind == Kind::Cap) {
         drawCap(part, program, state, geometry, silhouettes, group, l);
+        return;
+    }
+    gpu::apply(state);
+    if (cut) {
+        drawCutSides(part, program, silhouettes, l);
     } else {
-        gpu::apply(state);
-        drawSides(part, silhouettes, l);
+        glProgramUniform4fv(program.name(), EXTENT_FACES, 6, &silhouettes.extents[l][0][0]);
+        ++gpu::activity().draws;
+        technique_.drawSides({geometry, silhouettes, group, l, part.what}, program);
     }
 }
 
-void VolumeRenderer::drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l) {
-    const std::size_t indexCount = 6 * std::size_t(silhouettes.capacity);
-    if (pattern_.sizeBytes() < indexCount * sizeof(std::uint32_t)) {
-        std::vector<std::uint32_t> indices;
-        indices.reserve(indexCount);
-        for (std::uint32_t q = 0; q < silhouettes.capacity; ++q) {
-            for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(4 * q + corner);
-        }
-        pattern_ = gpu::Buffer::of("quad pattern", std::span<const std::uint32_t>(indices));
-        vertexArray_.elements(pattern_);
-        vertexArray_.bind();
-    }
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, silhouettes.summaries.name());
-    const std::size_t offset =
-        l * sizeof(gpu::LightSummary) + offsetof(gpu::LightSummary, lists) + part.what * sizeof(gpu::DrawCommand);
+void VolumeRenderer::drawCutSides(const VolumePart& part, const gpu::Program& program, const Silhouettes& silhouettes,
+                                  std::uint32_t l) {
+    const gpu::DrawCommand& list = silhouettes.hostSummaries[l].lists[part.what];
+    program.uniform(2, GLuint(list.baseVertex) / 4);
     ++gpu::activity().draws;
-    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(list.count / 6 * kCutVertices));
 }
 
 void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state,
@@ -170,19 +228,21 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
     // cap at its own depth must not be nearer by rounding. Before the near plane its depth is clamped: nearer than all.
     state.pushedBack = part.what == CAP_TRUE;
     // Neighbouring instances make one range: the vertex shader drops the padding between them.
+    const GLsizei vertices = part.start == VolumePart::Start::CapPlane ? kCutVertices : 3;  // of a triangle's caps
     std::vector<GLint> firsts;
     std::vector<GLsizei> counts;
     std::uint32_t last = 0;
     for (const std::uint32_t i : part.instances) {
         const gpu::InstanceData& instance = geometry.instances()[i];
         if (firsts.empty() || i != last + 1) {
-            firsts.push_back(GLint(3 * instance.placedTriangleBase));
+            firsts.push_back(vertices * GLint(instance.placedTriangleBase));
             counts.push_back(0);
         }
-        counts.back() = GLsizei(3 * (instance.placedTriangleBase + instance.triangleCount)) - firsts.back();
+        counts.back() = vertices * GLsizei(instance.placedTriangleBase + instance.triangleCount) - firsts.back();
         last = i;
     }
     gpu::apply(state);
+    noVertices_.bind();
     ++gpu::activity().draws;
     glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), GLsizei(firsts.size()));
 }

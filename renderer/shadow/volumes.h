@@ -19,18 +19,27 @@ struct VolumePart {
         Fail,   // -1 front, +1 back where not nearer
         Split,  // of each part of the casters one of both, pixel by pixel: into counters, not into the stencil buffer
     };
+    enum class Start {
+        Eye,  // view rays begin at the eye itself
+        NearPlane,
+        CapPlane,  // at the plane in the middle of the ledge, by which everything is cut (shadow/ledge.h)
+    };
     Kind kind = Kind::Sides;
     Rule rule = Rule::Pass;
+    Start start = Start::Eye;
     std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
     std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
     int crossings = 1;                     // that a fragment stands for
+    float endMetres = 0.0f;                // where volumes end, from the light; 0: nowhere
+    bool inverts = false;                  // every crossing inverts the count's bits, of which only parity is left
 };
 
 /// Draws parts of volumes into whatever framebuffer is bound.
 class VolumeRenderer {
 public:
     /// @param samples  of what is drawn into
-    explicit VolumeRenderer(int samples);
+    /// @param technique  that draws the sides; must outlive it
+    VolumeRenderer(int samples, SilhouetteTechnique& technique);
 
     enum class Into {
         Stencil,  // crossings, signed, into the stencil buffer (modulo 256)
@@ -52,17 +61,21 @@ private:
         gpu::Program splitCounter, splitFill, splitTally;
         const gpu::Program& of(Into into, VolumePart::Rule rule) const;
     };
-    static Programs programs(const char* vertex, bool edgeOn, int samples);
+    static Programs programs(const SideShaders& shaders, bool edgeOn, int samples, bool finite = false);
+    const Programs& programsOf(const VolumePart& part) const;
     void drawBy(VolumePart::Rule rule, const VolumePart& part, Into into, const Geometry& geometry,
                 const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
-    void drawSides(const VolumePart& part, const Silhouettes& silhouettes, std::uint32_t l);
+    void drawCutSides(const VolumePart& part, const gpu::Program& program, const Silhouettes& silhouettes,
+                      std::uint32_t l);
     void drawCap(const VolumePart& part, const gpu::Program& program, gpu::RasterState state, const Geometry& geometry,
                  const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
 
+    SilhouetteTechnique& technique_;
     Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
-    gpu::VertexArray vertexArray_{"volumes"};
+    Programs cutSides_, edgeOnCutSides_, cutCaps_, edgeOnCutCaps_, lightViews_;
+    Programs finiteSides_, edgeOnFiniteSides_, finiteCaps_;
+    gpu::VertexArray noVertices_{"caps of volumes"};
     glm::vec4 hullColor_{1.0f};
-    gpu::Buffer pattern_;  // indices of quads: 0 1 2, 0 2 3, 4 5 6, ...
 };
 
 }  // namespace umbrage

@@ -46,6 +46,7 @@ const std::map<std::string, Expected>& expectedAovs() {
         {"shadow", {ofLights("shadow"), "half"}},
         {"stencil", {ofLights("stencil"), "uint"}},
         {"silhouette", {ofLights("silhouette"), "half"}},
+        {"contour", {{"contour"}, "half"}},
         {"cost", {ofLights("cost"), "float"}},
         {"overdraw", {{"overdraw.fragments", "overdraw.updates"}, "float"}},
         {"scene", {{"scene.fragments", "scene.shaded"}, "float"}},
@@ -148,7 +149,7 @@ TEST_F(AovFiles, OtherToolsReadEveryOneWithItsNamesTypesAndMeaning) {
 TEST_F(AovFiles, WithoutHalvesColoursAndNormalsAreFloats) {
     writeEveryAov("  exrHalf: off\n");
     ASSERT_EQ(umbrage({"render", "seq.yaml", "--frames", "1"}).exitCode, 0);
-    const std::set<std::string> masks = {"surface", "shadow", "silhouette"};
+    const std::set<std::string> masks = {"surface", "shadow", "silhouette", "contour"};
     for (const auto& [name, expected] : expectedAovs()) {
         const auto input = OIIO::ImageInput::open(fileOf(name).string());
         ASSERT_TRUE(input);

@@ -131,6 +131,34 @@ TEST_F(Output, OverlaysArePicturesOfTheirOwn) {
               valuesOf(folder() / "out/overlay-overdraw.0002.png"));
 }
 
+/// Pixels of exactly that colour.
+int pixelsOf(const std::vector<double>& rgb, int red, int green, int blue) {
+    int count = 0;
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+        count += std::lround(255.0 * rgb[i]) == red && std::lround(255.0 * rgb[i + 1]) == green &&
+                 std::lround(255.0 * rgb[i + 2]) == blue;
+    }
+    return count;
+}
+
+TEST_F(Output, OverlaysDrawSilhouettesInYellowAndContoursInInk) {
+    writeSequence("diagnostics: {overlays: [extraction, toon], only: true}\n");
+    for (const char* silhouette : {"compute", "vertex-reject"}) {
+        SCOPED_TRACE(silhouette);
+        ASSERT_EQ(umbrage({"render", "seq.yaml", "--frames", "2", "--out", silhouette, "--set",
+                           std::string("shadow.silhouette=") + silhouette})
+                      .exitCode,
+                  0);
+        const auto overlay = [&](const char* name) {
+            return valuesOf(folder() / silhouette / ("overlay-" + std::string(name) + ".0002.png"));
+        };
+        EXPECT_GT(pixelsOf(overlay("extraction"), 255, 225, 0), 20);
+        const std::vector<double> toon = overlay("toon");
+        EXPECT_GT(pixelsOf(toon, 0, 0, 0), 50);
+        EXPECT_EQ(pixelsOf(toon, 0, 0, 0) + pixelsOf(toon, 255, 255, 255), 64 * 48) << "only ink and paper";
+    }
+}
+
 TEST_F(Output, StatisticsHaveEveryFrameAndLight) {
     writeSequence("statistics: {path: out/numbers.json}\noutput: {path: \"out/{aov}.{frame:04}.{ext}\"}\n");
     ASSERT_EQ(umbrage({"render", "seq.yaml"}).exitCode, 0);

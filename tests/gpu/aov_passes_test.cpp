@@ -89,15 +89,26 @@ double distanceToSegment(const glm::dvec2& p, const glm::dvec2& a, const glm::dv
     return glm::distance(p, a + t * (b - a));
 }
 
-TEST_P(AovPasses, SilhouettesAreTheEdgesBetweenLitAndUnlitFacesThatAreSeen) {
-    TestScene test;
-    test.eye = {2.0, 2.5, 4.0};
-    test.add(box(glm::vec3(-1.0f), glm::vec3(1.0f)));
-    const glm::dvec3 light(-1.5, 4.0, 3.0);
-    test.addLight(LightType::Point, light);
-    const AovFrame frame(test, samples);
-    const std::vector<float>& plane = frame.pixels.lights[0].aovs.find("silhouette")->second.values;
+/// A box from -1 to 1.
+struct BoxFrame {
+    static constexpr glm::dvec3 kEye{2.0, 2.5, 4.0}, kLight{-1.5, 4.0, 3.0};
 
+    static TestScene scene() {
+        TestScene test;
+        test.eye = kEye;
+        test.add(box(glm::vec3(-1.0f), glm::vec3(1.0f)));
+        test.addLight(LightType::Point, kLight);
+        return test;
+    }
+    explicit BoxFrame(int samples) : frame(scene(), samples) {}
+
+    /// Lines are where the edges between what faces a point and what does not are seen, and nowhere else.
+    void expectSilhouette(const std::vector<float>& plane, const glm::dvec3& from) const;
+
+    AovFrame frame;
+};
+
+void BoxFrame::expectSilhouette(const std::vector<float>& plane, const glm::dvec3& from) const {
     // An edge of the box lies between two faces: along `axis`, at the sides a and b of the other two.
     struct Line {
         glm::dvec2 from, to;
@@ -107,15 +118,15 @@ TEST_P(AovPasses, SilhouettesAreTheEdgesBetweenLitAndUnlitFacesThatAreSeen) {
         const int u = (axis + 1) % 3, v = (axis + 2) % 3;
         for (const double a : {-1.0, 1.0}) {
             for (const double b : {-1.0, 1.0}) {
-                const bool silhouette = (a * light[u] > 1.0) != (b * light[v] > 1.0);
-                const bool visible = a * test.eye[u] > 1.0 || b * test.eye[v] > 1.0;
+                const bool silhouette = (a * from[u] > 1.0) != (b * from[v] > 1.0);
+                const bool visible = a * kEye[u] > 1.0 || b * kEye[v] > 1.0;
                 if (!silhouette || !visible) continue;
-                glm::dvec3 from, to;
-                from[u] = to[u] = a;
-                from[v] = to[v] = b;
-                from[axis] = -1.0;
-                to[axis] = 1.0;
-                seen.push_back({frame.projected(from), frame.projected(to)});
+                glm::dvec3 begin, end;
+                begin[u] = end[u] = a;
+                begin[v] = end[v] = b;
+                begin[axis] = -1.0;
+                end[axis] = 1.0;
+                seen.push_back({frame.projected(begin), frame.projected(end)});
             }
         }
     }
@@ -142,6 +153,16 @@ TEST_P(AovPasses, SilhouettesAreTheEdgesBetweenLitAndUnlitFacesThatAreSeen) {
             EXPECT_TRUE(found) << "a gap at " << at.x << ", " << at.y;
         }
     }
+}
+
+TEST_P(AovPasses, SilhouettesAreTheEdgesBetweenLitAndUnlitFacesThatAreSeen) {
+    const BoxFrame box(samples);
+    box.expectSilhouette(box.frame.pixels.lights[0].aovs.find("silhouette")->second.values, BoxFrame::kLight);
+}
+
+TEST_P(AovPasses, ContoursAreTheEdgesBetweenFacesThatTheViewerSeesAndDoesNot) {
+    const BoxFrame box(samples);
+    box.expectSilhouette(box.frame.pixels.aovs.find("contour")->second.values, BoxFrame::kEye);
 }
 
 }  // namespace

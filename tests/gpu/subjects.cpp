@@ -26,6 +26,8 @@ FrameSettings Subject::settings(const How& how) const {
     settings.count = how.technique.count;
     settings.halveEvenComponents = how.halve;
     settings.skipOutOfReach = how.skipOutOfReach;
+    settings.skipOutOfView = how.skipOutOfView;
+    settings.endSides = how.endSides;
     settings.shadows = how.shadows;
     return settings;
 }
@@ -41,6 +43,14 @@ Subject ours(const std::string& name, int width, int height) {
     subject.animations = composition.animations;
     subject.scene = std::move(composition.scene);
     subject.camera = placeCamera(subject.scene, subject.moment(), composition.cameraNode);
+    return subject;
+}
+
+Subject solid(Subject subject) {
+    for (Material& material : subject.scene.materials) {
+        material.doubleSided = true;
+        material.alphaMode = AlphaMode::Opaque;
+    }
     return subject;
 }
 

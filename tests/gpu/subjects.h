@@ -18,7 +18,7 @@ using oracle::Corners;
 /// By which means to picture.
 struct How {
     Technique technique = {"compute", "z-pass"};
-    bool halve = true, skipOutOfReach = true, shadows = true, counts = false;
+    bool halve = true, skipOutOfReach = true, skipOutOfView = true, endSides = true, shadows = true, counts = false;
 };
 
 /// Something to picture.
@@ -38,6 +38,9 @@ struct Subject {
 
 /// A sequence of ours, half a second in.
 Subject ours(const std::string& name, int width, int height);
+
+/// With nothing missing from the depth buffer.
+Subject solid(Subject subject);
 
 /// Random scenes (more with UMBRAGE_RANDOM_SCENES=number, others with UMBRAGE_RANDOM_SEED=first) and two of ours.
 const std::vector<Subject>& subjects();

@@ -66,6 +66,8 @@ TEST(JobErrors, WrongKindsOfValueSayWhatIsExpectedAndWhatIsThere) {
     expectRefused(sequence("image: {size: 4}\n"), {"s.yaml:3:15", "size must be a list [width, height], not 4", ""});
     expectRefused(sequence("image: {size: [4, 4, 4]}\n"), {"s.yaml:3:15", "expected 2 values, not 3", ""});
     expectRefused(sequence("image: {size: [4, 4.5]}\n"), {"s.yaml:3:19", "integer from 1 to 16384, not 4.5", ""});
+    expectRefused(sequence("displace: {/A: {kind: twist, axis: [0, 0, 0]}}\n"),
+                  {"s.yaml:3:36", "axis must be an axis [x, y, z], not 0", ""});
     expectRefused(sequence("color: {view: 12}\n"), {"s.yaml:3:15", "view must be a string, not 12", "quote it"});
     expectRefused(sequence("color: {view: \"\"}\n"), {"s.yaml:3:15", "view must be a string", ""});
     expectRefused(sequence("shadow: {enabled: 1}\n"), {"s.yaml:3:19", "enabled must be true or false, not 1", ""});
@@ -98,7 +100,7 @@ TEST(JobErrors, NumbersAreFiniteAndDecimal) {
 }
 
 TEST(JobErrors, NamesFromAListGiveTheNearest) {
-    expectRefused(sequence("shadow: {count: z-pas}\n"), {"s.yaml:3:17", "one of auto, z-pass, z-fail", "z-pass"});
+    expectRefused(sequence("shadow: {count: z-pas}\n"), {"s.yaml:3:17", ", not \"z-pas\"", "z-pass"});
     expectRefused(sequence("output: {aovs: {beuty: png}}\n"),
                   {"s.yaml:3:17", "unknown name \"beuty\" in aovs", "\"beauty\""});
     expectRefused(sequence("output: {aovs: {beauty: jpg}}\n"), {"s.yaml:3:25", "one of png, exr, not \"jpg\"", "png"});

@@ -108,7 +108,7 @@ TEST(Job, ReadsSettings) {
     EXPECT_THAT(job.image.ambientGround, ElementsAre(0, .5, 0));
     ASSERT_EQ(job.displacements.size(), 1u);
     EXPECT_EQ(job.displacements[0].glob.value, "/Courtyard/Orb");
-    EXPECT_EQ(job.displacements[0].amplitude, .1f);
+    EXPECT_EQ(job.displacements[0].amplitude.values[0][0], .1);
     EXPECT_EQ(job.displacements[0].frequency, 2);
     EXPECT_EQ(job.displacements[0].speed, -1);
     EXPECT_EQ(job.shadow.count, "z-pass");

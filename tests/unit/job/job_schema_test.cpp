@@ -58,7 +58,7 @@ TEST(JobSchema, AgreesWithTheParser) {
         "lights: [{type: point, name: a, intensity: -1}]", "lights: [{type: point, name: a, intensity: {}}]",
         "lights: [{type: point, name: a, intensity: {soon: 1}}]", "lights: [{type: point, name: a, color: [1, 1]}]",
         "camera: -1", "camera: {yfov: 0}", "camera: {yfov: 180}", "camera: [0]", "camera: \"\"", "animations: 0",
-        "animations: [-1]", "displace: [/A]", "displace: {/A: {kind: wave}}", "time: {fps: 0}", "time: {frames: 1:3}",
+        "animations: [-1]", "displace: [/A]", "displace: {/A: {kind: waves}}", "time: {fps: 0}", "time: {frames: 1:3}",
         "time: {frames: 1.5}", "time: {frames: []}", "time: 3", "image: {size: [1]}", "image: {size: [0, 1]}",
         "image: {size: [1, 1.5]}", "image: {samples: 3}", "image: {background: 1}", "image: {ambient: {up: [0, 0, 0]}}",
         "shadow: {enabled: 1}", "shadow: {count: x}", "color: {view: 1}", "color: {exposure: x}",

@@ -39,7 +39,7 @@ TEST(Overrides, TheLastOneWins) {
 }
 
 TEST(Overrides, KeysMayHaveDots) {
-    EXPECT_EQ(with({"displace./A.b/C.amplitude=3"}).displacements[0].amplitude, 3);
+    EXPECT_EQ(with({"displace./A.b/C.amplitude=3"}).displacements[0].amplitude.values[0][0], 3);
 }
 
 TEST(Overrides, ValuesMayHaveEqualsSigns) {

@@ -76,7 +76,7 @@ TEST_F(Compose, DisplacementsAreLaidOnMeshes) {
     ASSERT_EQ(moved.scene.displacements.size(), 2u);
     EXPECT_EQ(moved.scene.displacements[0].node, findNode(moved.scene, "/Figure"));
     EXPECT_EQ(moved.scene.displacements[0].frequency, 2);
-    EXPECT_EQ(moved.scene.displacements[1].amplitude, .7f) << "the later one wins";
+    EXPECT_EQ(moved.scene.displacements[1].amplitude.values[0], .7f) << "the later one wins";
     expectError(kRoom, "displace: {/Room/Figur: {}}\n", "s.yaml:4:12", "matches no node with a mesh",
                 "\"/Room/Figure\"");
 }

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/bench_file.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "bench/laine_table.h"
+#include "bench/tile_counter.h"
+#include "error.h"
+#include "job/field_types.h"
+#include "job/reference_page.h"
+#include "judge/verify.h"
+
+namespace umbrage {
+namespace {
+
+constexpr const char* kTitle = "bench";
+
+template <class T>
+Type<std::vector<T>> notEmpty(const Type<std::vector<T>>& list) {
+    Type<std::vector<T>> type = list;
+    type.schema["minItems"] = 1;
+    type.read = [read = list.read](const YamlNode& node, const std::string& name) {
+        std::vector<T> values = read(node, name);
+        if (values.empty()) refuse(node, name + " is empty");
+        return values;
+    };
+    return type;
+}
+
+Type<std::vector<std::string>> measurements() {
+    return listOf(choice({"times", "tiles"}), "a list of measurements");
+}
+
+Type<std::string> tileMethod() {
+    std::vector<std::string> names;
+    for (const TileMethod& method : kTileMethods) names.emplace_back(method.name);
+    return choice(names);
+}
+
+Type<std::vector<Technique>> techniques() {
+    std::vector<std::pair<std::string, Technique>> pairs;
+    std::vector<std::string> names;
+    for (const Technique& technique : allTechniques()) names.push_back(technique.name());
+    return converted<std::vector<Technique>>(
+        listOf(choice(names), "a list of techniques"),
+        [names](const std::vector<std::string>& chosen, const YamlNode&) {
+            std::vector<Technique> made;
+            for (const std::string& name : chosen) {
+                const auto found = std::find(names.begin(), names.end(), name);
+                made.push_back(allTechniques()[std::size_t(found - names.begin())]);
+            }
+            return made;
+        });
+}
+
+/// What it names becomes part of files' names.
+Type<std::string> fileStem() {
+    return converted<std::string>(
+        text("a name"),
+        [](const std::string& name, const YamlNode& node) {
+            if (name.find_first_of("/\\") != std::string::npos) refuse(node, "a name of files has no slashes");
+            return name;
+        },
+        [](const std::string& name) { return name; });
+}
+
+Type<BenchSequence> sequence() {
+    using Sequence = BenchSequence;
+    const auto file =
+        converted<Located<std::filesystem::path>>(text("a path"), [](const std::string& path, const YamlNode& node) {
+            return Located<std::filesystem::path>{path, node.place};
+        });
+    const auto plane = choiceOf<SplitPlaneKind>({{"point-camera-light", SplitPlaneKind::PointCameraLight},
+                                                 {"point-point-light", SplitPlaneKind::PointPointLight}});
+    std::vector<std::string> printed;
+    for (const PrintedRow& row : kPrintedRows) printed.emplace_back(row.name);
+    return mapping<Sequence>(
+        "sequences", "A sequence file and what is done with it.",
+        {
+            field<Sequence>("file", file, &Sequence::file, "The sequence file, from this file's folder").required(),
+            field<Sequence>("name", fileStem(), &Sequence::name, "Its name in tables and of files").unset("the file's"),
+            field<Sequence>("set", listOf(text(), "a list of PATH=VALUE"), &Sequence::set,
+                            "Overrides values of it, as --set does")
+                .unset("none"),
+            fieldThrough<Sequence, FrameRange>(
+                "frames", frameRange(), [](Sequence& s, const FrameRange& frames) { s.frames = frames; }, "Its frames")
+                .unset("the file's"),
+            fieldThrough<Sequence, std::vector<std::string>>(
+                "measure", measurements(),
+                [](Sequence& s, const std::vector<std::string>& measure) { s.measure = measure; },
+                "What is measured of it; [] nothing, for pictures alone")
+                .unset("what the bench says"),
+            field<Sequence>("casters", listOf(located(text()), "a list of globs"), &Sequence::casters,
+                            "For tiles: all meshes at and below a node that one of these matches are one caster, "
+                            "nothing else casts")
+                .unset("each node with a mesh is one"),
+            field<Sequence>("together", boolean(), &Sequence::together, "All these casters are one"),
+            fieldThrough<Sequence, SplitPlaneKind>(
+                "splitPlane", plane, [](Sequence& s, SplitPlaneKind kind) { s.splitPlane.kind = kind; },
+                "For tiles: how each caster's split plane is made")
+                .unset("by its shape"),
+            field<Sequence>("printed", choice(printed), &Sequence::printed,
+                            "Scene of Laine's Table 1 whose figures stand beside")
+                .unset("none"),
+        },
+        [](const Sequence& s, const YamlNode& node) {
+            if (s.together && s.casters.empty()) {
+                refuse(*node.find("together"), "together is about casters, and none are named", "add casters: [GLOB]");
+            }
+        });
+}
+
+Type<std::vector<BenchPicture>> pictures() {
+    using Panel = BenchPicture::Panel;
+    const auto panel = mapping<Panel>(
+        "panels", "A picture of a picture.",
+        {
+            field<Panel>("sequence", located(text()), &Panel::sequence, "Name of the sequence").required(),
+            field<Panel>("method", tileMethod(), &Panel::method, "Method of the tile counter").required(),
+            fieldThrough<Panel, int>(
+                "frame", integer(), [](Panel& p, int frame) { p.frame = frame; }, "Another frame")
+                .unset("the picture's"),
+        });
+    return listOf(mapping<BenchPicture>(
+                      "pictures", "How often each pixel is processed, in false colour, panels side by side.",
+                      {
+                          field<BenchPicture>("name", fileStem(), &BenchPicture::name, "Of the file").required(),
+                          field<BenchPicture>("frame", integer(), &BenchPicture::frame, "The frame"),
+                          field<BenchPicture>("panels", notEmpty(listOf(panel, "a list of panels")),
+                                              &BenchPicture::panels, "What stands side by side")
+                              .required(),
+                      }),
+                  "a list of pictures");
+}
+
+Type<std::vector<BenchCurve>> curves() {
+    return listOf(mapping<BenchCurve>(
+                      "curves",
+                      "Count updates that a pixel costs, against the depth of what it would see: the pixel at "
+                      "which view rays meet one caster's volume most often.",
+                      {
+                          field<BenchCurve>("name", fileStem(), &BenchCurve::name, "Of the file").required(),
+                          field<BenchCurve>("sequence", located(text()), &BenchCurve::sequence, "Name of the sequence")
+                              .required(),
+                          field<BenchCurve>("frame", integer(), &BenchCurve::frame, "The frame"),
+                      }),
+                  "a list of curves");
+}
+
+void checkNames(const Bench& bench, const YamlNode& node) {
+    std::vector<std::string> names;
+    for (const BenchSequence& sequence : bench.sequences) names.push_back(sequence.name);
+    const auto known = [&](const Located<std::string>& name) {
+        if (std::find(names.begin(), names.end(), name.value) != names.end()) return;
+        throw Error(ErrorKind::Input, name.place.text(), fmt::format("there is no sequence \"{}\"", name.value),
+                    hintForName(name.value, names));
+    };
+    for (const BenchPicture& picture : bench.pictures) {
+        for (const BenchPicture::Panel& panel : picture.panels) known(panel.sequence);
+    }
+    for (const BenchCurve& curve : bench.curves) known(curve.sequence);
+    std::sort(names.begin(), names.end());
+    const auto twice = std::adjacent_find(names.begin(), names.end());
+    if (twice != names.end()) {
+        refuse(*node.find("sequences"), fmt::format("two sequences have the name \"{}\"", *twice),
+               "give one of them another with name:");
+    }
+}
+
+Type<Bench> benchType() {
+    return mapping<Bench>(
+        kTitle, "The whole file.",
+        {
+            fieldThrough<Bench, int>(
+                "bench", oneOf({1}), [](Bench&, int) {}, "Version of this format")
+                .required(),
+            field<Bench>("measure", measurements(), &Bench::measure,
+                         "times: of frames and passes; tiles: what a rasteriser that culls tiles of 8 x 8 pixels "
+                         "processes (Laine 2005)"),
+            field<Bench>("sequences", notEmpty(listOf(sequence(), "a list of sequences")), &Bench::sequences,
+                         "What is rendered")
+                .required(),
+            field<Bench>("techniques", techniques(), &Bench::techniques,
+                         "For times: silhouette:count pairs that are compared")
+                .unset("each sequence's own"),
+            field<Bench>("rounds", integer(between(1, 1000)), &Bench::rounds,
+                         "For times: how often everything is measured, all in turn"),
+            fieldThrough<Bench, std::array<int, 2>>(
+                "size", arrayOf<2>(integer(between(1, 16384)), "a list [width, height]"),
+                [](Bench& b, const std::array<int, 2>& size) { b.size = size; }, "Width and height in pixels")
+                .unset("each sequence's own"),
+            field<Bench>("pictures", pictures(), &Bench::pictures, "Pictures of processed pixels").unset("none"),
+            field<Bench>("curves", curves(), &Bench::curves, "Curves of updates").unset("none"),
+        });
+}
+
+}  // namespace
+
+const BenchSequence& Bench::sequence(const std::string& name) const {
+    return *std::find_if(sequences.begin(), sequences.end(), [&](const auto& s) { return s.name == name; });
+}
+
+Job Bench::jobOf(const BenchSequence& sequence) const {
+    JobOverrides overrides;
+    overrides.set = sequence.set;
+    Job job = readJob(sequence.file.value, overrides);
+    if (sequence.frames) job.time.frames = *sequence.frames;
+    if (size) job.image.width = (*size)[0], job.image.height = (*size)[1];
+    return job;
+}
+
+Bench parseBench(const std::string& yaml, const std::string& name, const std::filesystem::path& folder) {
+    const YamlNode root = parseYaml(yaml, name);
+    if (root.kind == YamlNode::Kind::Null) refuse(root, "the file is empty", "a bench begins with bench: 1");
+    if (root.isMapping() && !root.find("bench")) {
+        refuse(root, "the version key is missing",
+               root.find("umbrage") ? "this is a sequence file" : "add the line bench: 1");
+    }
+    Bench bench = benchType().read(root, "the bench");
+    bench.file = name;
+    for (BenchSequence& sequence : bench.sequences) {
+        if (sequence.name.empty()) sequence.name = sequence.file.value.stem().string();
+        sequence.file.value = (folder / sequence.file.value).lexically_normal();
+    }
+    checkNames(bench, root);
+    return bench;
+}
+
+Bench readBench(const std::filesystem::path& file) {
+    return parseBench(contentsOf(file), file.string(), file.parent_path());
+}
+
+std::string benchSchema() {
+    return schemaText("umbrage bench", benchType());
+}
+
+std::string benchReference() {
+    return "# The bench file\n\n"
+           "What `umbrage bench` measures, from the table that its parser uses: `umbrage schema --bench --markdown` "
+           "wrote this\npage, and `umbrage schema --bench` writes the same as a JSON Schema for editors. As strict as "
+           "the sequence file.\n" +
+           referenceText(benchType().pages);
+}
+
+}  // namespace umbrage

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a bench file asks for (docs/bench.md): which sequences, by which techniques, what is measured of them, and which
+// plots and pictures are made. Read strictly, by the machinery of the sequence file.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/settings.h"
+#include "job/job.h"
+#include "shadow/split_plane.h"
+
+namespace umbrage {
+
+/// A sequence file and what is done with it.
+struct BenchSequence {
+    std::string name;  // in tables and of files
+    Located<std::filesystem::path> file;
+    std::vector<std::string> set;                     // as --set of the other commands
+    std::optional<FrameRange> frames;                 // instead of the file's
+    std::optional<std::vector<std::string>> measure;  // instead of the bench's
+    // For tiles:
+    std::vector<Located<std::string>> casters;  // globs; none: every instance with a mesh is one
+    bool together = false;                      // all of them are one caster
+    SplitChoice splitPlane;
+    std::string printed;  // column of the paper's table
+};
+
+/// Counts of how often each pixel is processed, a panel for each method.
+struct BenchPicture {
+    struct Panel {
+        Located<std::string> sequence;
+        std::string method;        // of kTileMethods
+        std::optional<int> frame;  // instead of the picture's
+    };
+    std::string name;  // of the file
+    int frame = 1;
+    std::vector<Panel> panels;
+};
+
+/// Updates a pixel would cost against the depth of what it sees, where one caster's volume is met most often.
+struct BenchCurve {
+    std::string name;
+    Located<std::string> sequence;
+    int frame = 1;
+};
+
+struct Bench {
+    std::filesystem::path file;
+    std::vector<std::string> measure{"times"};
+    std::vector<BenchSequence> sequences;
+    std::vector<Technique> techniques;  // none: each sequence's own
+    int rounds = 5;
+    std::optional<std::array<int, 2>> size;  // instead of each sequence's
+    std::vector<BenchPicture> pictures;
+    std::vector<BenchCurve> curves;
+
+    const BenchSequence& sequence(const std::string& name) const;
+    const std::vector<std::string>& measureOf(const BenchSequence& sequence) const {
+        return sequence.measure ? *sequence.measure : measure;
+    }
+    /// With what the bench overrides.
+    Job jobOf(const BenchSequence& sequence) const;
+};
+
+/// @throws Error(Input) with file:line:column
+Bench readBench(const std::filesystem::path& file);
+Bench parseBench(const std::string& yaml, const std::string& name, const std::filesystem::path& folder);
+
+/// The JSON Schema of bench files and their reference page (Markdown), from the same table.
+std::string benchSchema();
+std::string benchReference();
+
+}  // namespace umbrage

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// umbrage bench: what it prints and writes, and how it ends.
+#include <nlohmann/json.hpp>
+
+#include "workspace.h"
+
+namespace umbrage::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+using Json = nlohmann::json;
+
+class BenchCommand : public Workspace {
+protected:
+    Json json(const std::string& name) const { return Json::parse(contentsOf(folder() / name)); }
+};
+
+TEST_F(BenchCommand, TimesEveryTechniqueOfEverySequence) {
+    writeSequence();
+    writeFile("bench.yaml",
+              "bench: 1\nrounds: 1\ntechniques: [\"compute:z-pass\", \"cpu:z-fail\"]\n"
+              "sequences: [{file: seq.yaml}, {name: unlit, file: seq.yaml, frames: 2}]\n");
+    const Result result = umbrage({"bench", "bench.yaml", "--json", "made/b.json", "--csv", "made/b.csv", "--markdown",
+                                   "made/b.md", "--rounds", "2", "--out", "made"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("cpu:z-fail"));
+    EXPECT_THAT(result.out, HasSubstr("2 rounds"));
+    const Json table = json("made/b.json")["measurements"][0];
+    EXPECT_EQ(table["measurement"], "times");
+    ASSERT_THAT(table["rows"], SizeIs(4));
+    for (const Json& row : table["rows"]) {
+        for (const char* column : {"frame.ms", "unshadowed.ms", "time.gbuffer.ms", "frames.second", "cold.ms"}) {
+            EXPECT_GT(row[column].get<double>(), 0.0) << column;
+        }
+    }
+    EXPECT_THAT(contentsOf(folder() / "made/b.csv"), HasSubstr("times,unlit cpu:z-fail,frame.ms,"));
+    EXPECT_THAT(contentsOf(folder() / "made/b.md"), HasSubstr("umbrage bench bench.yaml"));
+}
+
+TEST_F(BenchCommand, CountsTilesAndDrawsThem) {
+    writeSequence();
+    writeFile("bench.yaml",
+              "bench: 1\nmeasure: [tiles]\nsize: [128, 96]\n"
+              "sequences: [{file: seq.yaml, frames: 1-2, printed: KNIGHT}]\n"
+              "pictures: [{name: processed, panels: [{sequence: seq, method: SPSV}]}]\n"
+              "curves: [{name: updates, sequence: seq}]\n");
+    const Result result = umbrage({"bench", "bench.yaml", "--json", "made/b.json", "--out", "made"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("ZP+DB"));
+    EXPECT_THAT(filesIn("made"), testing::IsSupersetOf({"b.json", "processed.png", "updates.png", "updates.svg",
+                                                        "tiles-seq.png", "tiles-seq.svg"}));
+    const Json file = json("made/b.json");
+    double best = 0, split = 0;
+    for (const Json& row : file["measurements"][0]["rows"]) {
+        EXPECT_EQ(row["different"], 0.0);
+        if (row["method"] == "best") best = row["pixels.thousand"];
+        if (row["method"] == "SPSV") split = row["pixels.thousand"];
+        if (row["method"] != "ZF+DB") continue;
+        EXPECT_EQ(row["printed.pixels.thousand"], 490.8);
+    }
+    EXPECT_GT(best, 0.0);
+    EXPECT_LE(best, split);
+    EXPECT_THAT(file["plots"]["tiles-seq"]["series"]["SPSV"], SizeIs(2));
+    EXPECT_EQ(valuesOf(folder() / "made/processed.png").size() % (128 * 96), 0u);
+}
+
+TEST_F(BenchCommand, RefusesBadFilesAndOptions) {
+    const Result missing = umbrage({"bench", "nowhere.yaml"});
+    EXPECT_EQ(missing.exitCode, 3);
+    EXPECT_THAT(missing.err, HasSubstr("nowhere.yaml"));
+    EXPECT_EQ(umbrage({"bench"}).exitCode, 2);
+    writeSequence();
+    writeFile("bench.yaml", "bench: 1\nsequences: [{file: sek.yaml}]\n");
+    const Result gone = umbrage({"bench", "bench.yaml"});
+    EXPECT_EQ(gone.exitCode, 3);
+    EXPECT_THAT(gone.err, HasSubstr("sek.yaml"));
+    writeFile("bench.yaml", "bench: 1\nsequences: [{file: seq.yaml, casters: [/Nobody]}]\nmeasure: [tiles]\n");
+    const Result nobody = umbrage({"bench", "bench.yaml"});
+    EXPECT_EQ(nobody.exitCode, 3);
+    EXPECT_THAT(nobody.err, HasSubstr("bench.yaml:2:"));
+    writeFile("bench.yaml",
+              "bench: 1\nsequences: [{file: seq.yaml}, {file: seq.yaml, name: b, set: [\"image.size=[32, 32]\"]}]\n"
+              "measure: []\npictures: [{name: p, panels: [{sequence: seq, method: ZP}, {sequence: b, method: ZP}]}]\n");
+    const Result sizes = umbrage({"bench", "bench.yaml"});
+    EXPECT_EQ(sizes.exitCode, 3);
+    EXPECT_THAT(sizes.err, HasSubstr("bench.yaml:4:"));
+    EXPECT_THAT(sizes.err, HasSubstr("another size"));
+    EXPECT_THAT(sizes.out, IsEmpty());
+}
+
+TEST_F(BenchCommand, ItsPageIsWhatTheProgramWrites) {
+    const Result page = umbrage({"schema", "--bench", "--markdown"});
+    EXPECT_EQ(page.exitCode, 0);
+    EXPECT_EQ(page.out, contentsOf(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "docs/bench.md"))
+        << "umbrage schema --bench --markdown > docs/bench.md";
+    EXPECT_TRUE(Json::parse(umbrage({"schema", "--bench"}).out)["properties"].contains("sequences"));
+}
+
+}  // namespace
+}  // namespace umbrage::cli
