@@ -103,6 +103,7 @@ void addVerify(CLI::App& app, VerifyCommandOptions& o) {
         ->option_text("INT [0]");
     app.add_flag("--per-frame", o.perFrame, "a row for each frame in tables; all frames in JSON, not only wrong ones");
     app.add_flag("--per-light", o.perLight, "a row for each light in tables");
+    app.add_flag("--summary", o.summary, "techniques alone in tables, over all sequences");
     app.add_option("--json", o.json, "file for programs: figures of sequences, techniques and wrong frames");
     app.add_option("--csv", o.csv, "file for programs: a line for each sequence, frame, technique and light");
     app.add_option("--markdown", o.markdown, "file for documents: the tables and how they were made");

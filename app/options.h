@@ -39,7 +39,7 @@ struct VerifyCommandOptions {
     std::uint64_t seed = 1;  // of the first of them
     std::uint64_t maxHard = 0;
     Pictures pictures = Pictures::Failed;
-    bool counts = false, perFrame = false, perLight = false, allowExternalFiles = false;
+    bool counts = false, perFrame = false, perLight = false, summary = false, allowExternalFiles = false;
     ProgressKind progress = ProgressKind::Auto;
     std::string commandLine;  // as typed, for reports
 };

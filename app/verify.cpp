@@ -143,7 +143,7 @@ void judge(const Sequence& sequence, const VerifyCommandOptions& options, const 
 /// Files first: whoever reads stdout may go away in the middle. The table is printed even where a file cannot be
 /// written.
 void writeReports(const VerifyReport& report, const VerifyCommandOptions& options) {
-    const VerifyDetail detail{options.perFrame, options.perLight};
+    const VerifyDetail detail{options.perFrame, options.perLight, options.summary};
     std::exception_ptr failed;
     try {
         if (!options.json.empty()) writeWhole(options.json, report.json(detail));

@@ -36,6 +36,7 @@ struct VerifySum {
 /// Which rows a table has, beside those of sequence and technique.
 struct VerifyDetail {
     bool frames = false, lights = false;
+    bool summary = false;  // instead, techniques alone, over all sequences
 };
 
 class VerifyReport {

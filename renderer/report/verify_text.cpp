@@ -180,12 +180,40 @@ std::string conclusion(const VerifyReport& report, const VerifyHeader& header) {
     return text;
 }
 
+/// Hard errors of each silhouette technique (down) with each count (across); empty without several of both.
+std::string matrixInMarkdown(const std::vector<VerifySum>& techniques) {
+    std::vector<std::string> silhouettes, counts;
+    std::map<std::string, std::string> cells;
+    const auto addOnce = [](std::vector<std::string>& names, const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const VerifySum& sum : techniques) {
+        const std::size_t colon = sum.technique.find(':');
+        addOnce(silhouettes, sum.technique.substr(0, colon));
+        addOnce(counts, sum.technique.substr(colon + 1));
+        cells[sum.technique] = fmt::format("{}{}", sum.lights.hard(), sum.claimsExact ? "" : " (claims no exactness)");
+    }
+    if (silhouettes.size() < 2 || counts.size() < 2) return "";
+    std::vector<std::vector<std::string>> rows{{"hard errors"}};
+    rows[0].insert(rows[0].end(), counts.begin(), counts.end());
+    for (const std::string& silhouette : silhouettes) {
+        std::vector<std::string>& row = rows.emplace_back(std::vector<std::string>{silhouette});
+        for (const std::string& count : counts) {
+            const auto found = cells.find(silhouette + ":" + count);
+            row.push_back(found == cells.end() ? "-" : found->second);
+        }
+    }
+    std::vector<bool> isText(counts.size() + 1, false);
+    isText[0] = true;
+    return markdownTable(rows, isText) + "\n";
+}
+
 }  // namespace
 
 std::string VerifyReport::table(const VerifyDetail& detail) const {
     std::string text;
-    const std::vector<VerifySum> rows = sums(detail);
-    if (!rows.empty()) text += textTable(columnsOf(detail), rows) + "\n";
+    const std::vector<VerifySum> rows = detail.summary ? techniqueSums() : sums(detail);
+    if (!rows.empty()) text += textTable(columnsOf(detail, !detail.summary), rows) + "\n";
     for (const std::string& line : errorLines(*this, 20)) text += "wrong: " + line + "\n";
     for (const Problem& problem : problems_) {
         text += printable(fmt::format("not judged: {}: {}", problem.sequence, problem.message)) + "\n";
@@ -207,8 +235,9 @@ std::string VerifyReport::markdown(const VerifyDetail& detail) const {
     for (const Problem& problem : problems_) {
         text += fmt::format("- not judged: {}: {}\n", markdownCell(problem.sequence), markdownCell(problem.message));
     }
-    text += "\n## All sequences\n\n" + sumsInMarkdown(columnsOf({}, false), techniqueSums());
-    text += "\n## Each sequence\n\n" + sumsInMarkdown(columnsOf(detail), sums(detail));
+    const std::vector<VerifySum> techniques = techniqueSums();
+    text += "\n## All sequences\n\n" + matrixInMarkdown(techniques) + sumsInMarkdown(columnsOf({}, false), techniques);
+    if (!detail.summary) text += "\n## Each sequence\n\n" + sumsInMarkdown(columnsOf(detail), sums(detail));
     text += "\n## What the columns say\n\n";
     for (const Column& column : columnsOf({})) {
         if (!column.doc.empty()) text += fmt::format("- {}: {}\n", column.title, column.doc);

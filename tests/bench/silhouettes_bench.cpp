@@ -24,11 +24,11 @@ const gpu::Context& context() {
     return instance;
 }
 
-/// configs/bench/silhouettes.yaml, with the first of its lights.
+/// configs/figures/brabec-seidel-lights.yaml, with the first of its lights.
 struct Bench {
     explicit Bench(std::size_t lights)
-        : composition(
-              compose(readJob(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs" / "bench" / "silhouettes.yaml"))),
+        : composition(compose(
+              readJob(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs/figures/brabec-seidel-lights.yaml"))),
           moment(evaluate(composition.scene, composition.animations, 0.0)),
           camera(placeCamera(composition.scene, moment, composition.cameraNode)) {
         moment.lights.resize(lights);

@@ -12,7 +12,11 @@ public:
     void judged(const FrameVerdict& verdict, const VerdictPlanes&, const std::vector<float>&) override {
         ++verdicts;
         for (const LightVerdict& light : verdict.lights) litFacing += light.litFacing;
-        EXPECT_EQ(verdict.hard(), 0u) << verdict.technique;
+        const std::string count = verdict.technique.substr(verdict.technique.find(':') + 1);
+        const auto* row = std::find_if(kCounts.begin(), kCounts.end(), [&](const auto& c) { return c.name == count; });
+        if (row->exact != Exact::Never) {
+            EXPECT_EQ(verdict.hard(), 0u) << verdict.technique;
+        }
     }
     std::size_t verdicts = 0;
     std::uint64_t litFacing = 0;

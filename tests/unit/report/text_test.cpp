@@ -147,7 +147,21 @@ TEST(VerifyMarkdown, EveryTableRowHasAsManyCellsAsItsHead) {
         if (cells == 0) cells = bars;
         EXPECT_EQ(bars, cells) << line;
     }
-    EXPECT_EQ(tables, 2u);
+    EXPECT_EQ(tables, 3u);
+}
+
+TEST(VerifyMarkdown, HasTheMatrixOfTechniquesAndInSummaryNoSequences) {
+    VerifyReport report(header());
+    report.add("A1", true, frame(1, "compute:z-pass", {light("Key", 0)}));
+    report.add("A1", true, frame(1, "cpu:z-pass", {light("Key", 2)}));
+    report.add("B1", true, frame(1, "cpu:z-pass", {light("Key", 1)}));
+    report.add("A1", false, frame(1, "cpu:z-pass-plus", {light("Key", 5)}));
+    const std::string text = report.markdown({.summary = true});
+    EXPECT_THAT(text, HasSubstr("| hard errors | z-pass | z-pass-plus |\n"));
+    EXPECT_THAT(text, HasSubstr("\n| compute | 0 | - |\n"));
+    EXPECT_THAT(text, HasSubstr("\n| cpu | 3 | 5 (claims no exactness) |\n"));
+    EXPECT_THAT(text, Not(HasSubstr("## Each sequence")));
+    EXPECT_THAT(linesOf(report.table({.summary = true}))[0], StartsWith("technique "));
 }
 
 TEST(VerifyMarkdown, SaysNothingIsWrongWhereNothingIs) {
