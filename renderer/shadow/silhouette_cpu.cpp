@@ -317,7 +317,8 @@ void CpuSilhouettes::appendAll(const Geometry& geometry, std::uint32_t i, std::u
         const bool negative = (twice.y | once.y) >> l & 1u;
         const bool isTwice = (twice.x | twice.y) >> l & 1u;
         std::uint32_t list = listOf(instance, out.hostCasters[i], l, edge.left & EDGE_EVEN);
-        if (list == LIST_HALVED && !isTwice) list = LIST_WHOLE;  // of an even component only another part has the rest
+        // Of an even component only another part has the rest.
+        if (out.parts && list == LIST_HALVED && !isTwice) list = LIST_WHOLE;
         const int times = isTwice && !(halve && list == LIST_HALVED) ? 2 : 1;
         const std::uint32_t entry = (instance.placedEdgeBase + k) << 1 | std::uint32_t(negative) | flags;
         const glm::vec4 eye = instance.eyeInModel, light = lightOf(out, i, group, l);
