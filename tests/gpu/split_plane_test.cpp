@@ -74,6 +74,7 @@ TEST(SplitPlane, EachPartAddsItsOwnConstantWithTheEyeInOneVolume) {
 }
 
 TEST(SplitPlane, MeshesAreDividedForTheEyeAndTheLight) {
+    context();
     TestScene test = spheres();
     const Moment moment = evaluate(test.scene, {}, 0.0);
     const Geometry geometry(test.scene, moment);
