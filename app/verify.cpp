@@ -57,7 +57,7 @@ Fault faultOf(const std::string& name) {
 
 /// Some techniques claim nothing; the textbook's z-pass and pictures without shadows are wrong by choice.
 bool claimsExactness(const std::optional<Job>& job, const std::string& technique) {
-    const std::string name = technique.substr(technique.find(':') + 1);
+    const std::string name = Technique::named(technique).count;
     const Exact exact = std::ranges::find(kCounts, name, &CountName::name)->exact;
     if (exact == Exact::Never) return false;
     if (!job) return true;

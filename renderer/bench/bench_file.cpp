@@ -10,8 +10,8 @@
 #include "bench/tile_counter.h"
 #include "error.h"
 #include "job/field_types.h"
+#include "job/names.h"
 #include "job/reference_page.h"
-#include "judge/verify.h"
 
 namespace umbrage {
 namespace {
@@ -41,19 +41,14 @@ Type<std::string> tileMethod() {
 }
 
 Type<std::vector<Technique>> techniques() {
-    std::vector<std::pair<std::string, Technique>> pairs;
-    std::vector<std::string> names;
-    for (const Technique& technique : allTechniques()) names.push_back(technique.name());
-    return converted<std::vector<Technique>>(
-        listOf(choice(names), "a list of techniques"),
-        [names](const std::vector<std::string>& chosen, const YamlNode&) {
-            std::vector<Technique> made;
-            for (const std::string& name : chosen) {
-                const auto found = std::find(names.begin(), names.end(), name);
-                made.push_back(allTechniques()[std::size_t(found - names.begin())]);
-            }
-            return made;
-        });
+    return converted<std::vector<Technique>>(listOf(choice(techniqueNames()), "a list of techniques"),
+                                             [](const std::vector<std::string>& chosen, const YamlNode&) {
+                                                 std::vector<Technique> made;
+                                                 for (const std::string& name : chosen) {
+                                                     made.push_back(Technique::named(name));
+                                                 }
+                                                 return made;
+                                             });
 }
 
 /// What it names becomes part of files' names.
@@ -198,10 +193,6 @@ Type<Bench> benchType() {
 }
 
 }  // namespace
-
-const BenchSequence& Bench::sequence(const std::string& name) const {
-    return *std::find_if(sequences.begin(), sequences.end(), [&](const auto& s) { return s.name == name; });
-}
 
 Job Bench::jobOf(const BenchSequence& sequence) const {
     JobOverrides overrides;

@@ -57,7 +57,6 @@ struct Bench {
     std::vector<BenchPicture> pictures;
     std::vector<BenchCurve> curves;
 
-    const BenchSequence& sequence(const std::string& name) const;
     const std::vector<std::string>& measureOf(const BenchSequence& sequence) const {
         return sequence.measure ? *sequence.measure : measure;
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <set>
 
 #include "diagnostics/counters.h"
 #include "diagnostics/median.h"
@@ -43,6 +44,9 @@ public:
         profiled_ = scene.renderer(settings, context);
     }
 
+    /// Why lights were not counted as its technique does, each once; empties itself.
+    std::set<std::string> takeNotes() { return std::exchange(notes_, {}); }
+
     void run(bool counted) {
         for (const int frame : scene_.frames) {
             const Clock::time_point start = Clock::now();
@@ -77,7 +81,9 @@ private:
     FramePixels render(FrameRenderer& renderer, int frame) {
         Statistics unused;
         const PlacedMoment now = scene_.at(frame);
-        return renderer.render(now.moment, now.camera, {}, frame, unused);
+        FramePixels pixels = renderer.render(now.moment, now.camera, {}, frame, unused);
+        notes_.insert(pixels.notes.begin(), pixels.notes.end());
+        return pixels;
     }
 
     const BenchScene& scene_;
@@ -86,6 +92,7 @@ private:
     double coldMilliseconds_ = 0.0;
     std::vector<double> milliseconds_;
     std::map<std::size_t, std::vector<double>> passes_;
+    std::set<std::string> notes_;
 };
 
 std::vector<BenchColumn> columns() {
@@ -159,8 +166,13 @@ BenchTable measureTimes(const Bench& bench, const BenchScenes& scenes, const gpu
         for (const auto& contender : contenders) {
             if (interrupted) return table;
             contender->run(round > 0);
-            observer.advanced(
-                fmt::format("{} {}: round {}", contender->scene().sequence.name, contender->technique(), round));
+            const std::string who = contender->scene().sequence.name + " " + contender->technique();
+            if (round == 0) {
+                for (const std::string& note : contender->takeNotes()) {
+                    table.remarks.push_back(fmt::format("{}: {}.", who, note));
+                }
+            }
+            observer.advanced(fmt::format("{}: round {}", who, round));
         }
         std::reverse(contenders.begin(), contenders.end());
     }

@@ -82,8 +82,8 @@ struct FrameRenderer::Impl {
     VolumeRenderer volumes{settings.samples, *technique};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
     AovReader aovs{scene, geometry, materials, surfaces, gbuffer, resolve};
-    std::vector<Geometry::Bounds> boxes;  // per instance, in the world, this frame
-    std::unique_ptr<Masks> masks;         // made anew when the number of groups of lights grows
+    std::vector<Geometry::Bounds> modelBounds, boxes;  // per instance, this frame: in model space, in the world
+    std::unique_ptr<Masks> masks;                      // made anew when the number of groups of lights grows
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
     Eye eye;  // of the last frame
     std::vector<ShadowLight> shadowLights;
@@ -110,12 +110,11 @@ struct FrameRenderer::Impl {
 
     void uploadView(const std::vector<const PlacedLight*>& lights);
     CountSettings findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame);
-    void chooseParts(const Moment& moment, const std::vector<const PlacedLight*>& lights, const LightGroup& group);
     void limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool exactCounts);
     void castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      int frame, FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
-    void drawSplitPlanes(const std::vector<const PlacedLight*>& lights, FramePixels& pixels) const;
+    void drawSplitPlanes(FramePixels& pixels) const;
     void readSamples(FramePixels& pixels);
 };
 
@@ -158,7 +157,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     found.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
     found.halve = halve;
     found.perspective = eye.perspective;
-    const std::vector<Geometry::Bounds> modelBounds = geometry.modelBounds();
+    modelBounds = geometry.modelBounds();
     boxes = worldBounds(geometry, modelBounds);
     const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
     found.holed = surfaces.holed();
@@ -187,33 +186,27 @@ void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vecto
         std::fill(std::begin(caster.ends), std::end(caster.ends), 0u);
     }
     silhouettes.extents.assign(group.count, {});
+    if (exactCounts) return;
+    std::vector<BoxCorners> corners;
+    for (const Geometry::Bounds& box : boxes) corners.push_back(cornersOf(box));
     const std::array<HalfSpace, 4> view = sidesOfView(eye);
-    for (std::uint32_t l = 0; l < group.count && !exactCounts; ++l) {
+    for (std::uint32_t l = 0; l < group.count; ++l) {
         const PlacedLight& light = *lights[group.first + l];
-        const ShadowLight place = shadowLight(light);
+        const ShadowLight& place = shadowLights[group.first + l];
         const LightExtent extent(boxes, place, light.light.rangeMetres, eye);
         silhouettes.extents[l] = extent.facesInView(eye);
         for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
             gpu::CasterState& caster = silhouettes.hostCasters[i];
             const bool beyond =
                 settings.skipOutOfReach && outOfReach(boxes[i], light.position, light.light.rangeMetres);
-            const bool unseen = settings.skipOutOfView && outOfView(boxes[i], place, view);
+            const bool unseen = settings.skipOutOfView && outOfView(corners[i], place, view);
             caster.outOfReach |= std::uint32_t(beyond) << l;
             caster.outOfView |= std::uint32_t(unseen) << l;
             // By parts any caster may be counted from infinity somewhere, and then ends in its caps there.
             if (!settings.endSides || counts.byParts() || beyond || unseen) continue;
-            caster.ends[l / 10] |= extent.endOf(boxes[i]) << (3 * (l % 10));
+            caster.ends[l / 10] |= extent.endOf(corners[i]) << (3 * (l % 10));
         }
     }
-}
-
-void FrameRenderer::Impl::chooseParts(const Moment& moment, const std::vector<const PlacedLight*>& lights,
-                                      const LightGroup& group) {
-    std::vector<Homogeneous> homogeneous;
-    for (std::uint32_t l = 0; l < group.count; ++l) homogeneous.push_back(shadowLight(*lights[group.first + l]));
-    const std::vector<DepthSample> seen =
-        casterParts->wantsSamples() ? depthSampler->read() : std::vector<DepthSample>();
-    casterParts->choose(moment, geometry, homogeneous, group.first, eye, seen);
 }
 
 void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights,
@@ -224,6 +217,8 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
     const CountSettings countSettings = findCasters(halve, lights, frame);
     masks->clear();
     parts.clear();
+    std::vector<DepthSample> seen;
+    if (casterParts && casterParts->wantsSamples()) seen = depthSampler->read();
     // Also without any light there is one sweep: it sets up the triangles' planes.
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
         const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
@@ -234,9 +229,12 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
         limitVolumes(group, lights, outputs.counts);
-        if (casterParts) chooseParts(moment, lights, group);
-        if (casterParts && outputs.splitPlanes) {
-            parts.insert(parts.end(), casterParts->chosen().begin(), casterParts->chosen().end());
+        if (casterParts) {
+            const auto ofGroup = std::span(shadowLights).subspan(first, group.count);
+            casterParts->choose(moment, geometry, modelBounds, ofGroup, first, eye, seen);
+            if (outputs.splitPlanes) {
+                parts.insert(parts.end(), casterParts->chosen().begin(), casterParts->chosen().end());
+            }
         }
         findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures, counts.withEyeConstant(group)},
                         silhouettes);
@@ -296,13 +294,13 @@ void FrameRenderer::Impl::readSamples(FramePixels& pixels) {
     for (LightPlanes& planes : pixels.lights) planes.reaches.resize(pixels.seen.triangles.size());
 }
 
-void FrameRenderer::Impl::drawSplitPlanes(const std::vector<const PlacedLight*>& lights, FramePixels& pixels) const {
+void FrameRenderer::Impl::drawSplitPlanes(FramePixels& pixels) const {
     SplitPicture picture(settings.width, settings.height);
     std::vector<float> distances(pixels.normalAndDepth.size() / 4);
     for (std::size_t i = 0; i < distances.size(); ++i) distances[i] = pixels.normalAndDepth[4 * i + 3];
     for (std::size_t l = 0; l < parts.size(); ++l) {
         const glm::vec3 color = colorOfLight(shining[l]);
-        picture.add(parts[l], shadowLight(*lights[l]), eye, color, distances);
+        picture.add(parts[l], shadowLights[l], eye, color, distances);
     }
     pixels.splitPlanes = std::move(picture.values);
 }
@@ -380,7 +378,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         r.diagnostics.finish(r.scene, moment);
         r.aovs.read(outputs, *r.masks, r.silhouettes, eye, r.shining, pixels);
         if (outputs.samples) r.readSamples(pixels);
-        if (outputs.splitPlanes) r.drawSplitPlanes(lights, pixels);
+        if (outputs.splitPlanes) r.drawSplitPlanes(pixels);
     }
     if (outputs.figures && outputs.scene) recorder.scene(pixels.scene);
     if (outputs.figures) recorder.finish(moment.lights.size() - lights.size(), r.counts.fellBackCount());

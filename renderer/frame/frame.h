@@ -30,11 +30,12 @@ struct FrameSettings {
     double extrusionMetres = 0.0;  // of z-fail-finite; 0: chosen
     bool eyeConstant = true;
     JobParts parts;
-    // Skips: without effect on picture and masks. They change counts, so they are off whenever counts are asked for.
+    // Skips: without effect on picture and masks, but for the last. They change counts, so they are off whenever counts
+    // are asked for.
     bool halveEvenComponents = true;  // see shadow/counts.h
     bool skipOutOfReach = true;       // see shadow/bounds.h
     bool skipOutOfView = true;        // these two: see shadow/extent.h
-    bool endSides = true;             // moves corners, so that a mask may differ on a boundary
+    bool endSides = true;             // moves corners, so that a mask may round otherwise on a boundary
     glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
     bool profile = false;
     Fault fault = Fault::None;  // planted on purpose, for the judge's own tests

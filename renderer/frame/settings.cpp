@@ -18,6 +18,12 @@ glm::vec3 vec3Of(const std::array<double, 3>& v) {
 
 }  // namespace
 
+std::vector<Technique> allTechniques() {
+    std::vector<Technique> all;
+    for (const std::string& name : techniqueNames()) all.push_back(Technique::named(name));
+    return all;
+}
+
 Technique techniqueOf(const Job& job) {
     // Until there is a cost model, auto is what is fastest on every device measured so far.
     const auto chosen = [](const std::string& name, const char* automatic) {
@@ -28,7 +34,7 @@ Technique techniqueOf(const Job& job) {
 
 Technique techniqueAgainst(const Job& job) {
     const std::string& name = job.diagnostics.against;
-    if (name != "auto") return {name.substr(0, name.find(':')), name.substr(name.find(':') + 1)};
+    if (name != "auto") return Technique::named(name);
     const Technique own = techniqueOf(job);
     return {own.silhouette, own.count == "z-fail" ? "z-pass" : "z-fail"};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "frame/frame.h"
 #include "job/job.h"
@@ -15,7 +16,14 @@ struct Technique {
     std::string silhouette, count;
 
     std::string name() const { return silhouette + ":" + count; }
+    /// @param name  as name() gives it
+    static Technique named(const std::string& name) {
+        return {name.substr(0, name.find(':')), name.substr(name.find(':') + 1)};
+    }
 };
+
+/// Those of techniqueNames().
+std::vector<Technique> allTechniques();
 
 /// The job's, with `auto` resolved.
 Technique techniqueOf(const Job& job);

@@ -228,16 +228,6 @@ Type<Job::Color> colorSettings() {
         });
 }
 
-std::vector<std::string> allTechniques() {
-    std::vector<std::string> names;
-    for (const std::string& silhouette : namesOf(kSilhouettes)) {
-        for (const std::string& count : namesOf(kCounts)) {
-            if (canPair(silhouette, count)) names.push_back(silhouette + ":" + count);
-        }
-    }
-    return names;
-}
-
 Type<Job::Diagnostics> diagnosticsSettings() {
     using Diagnostics = Job::Diagnostics;
     return mapping<Diagnostics>(
@@ -246,7 +236,7 @@ Type<Job::Diagnostics> diagnosticsSettings() {
             field<Diagnostics>("overlays", listOf(choice(namesOf(kOverlays)), "a list of overlays"),
                                &Diagnostics::overlays, "Pictures with a legend: " + meaningsOf(kOverlays)),
             field<Diagnostics>(
-                "against", choice(orAuto(allTechniques())), &Diagnostics::against,
+                "against", choice(orAuto(techniqueNames())), &Diagnostics::against,
                 "What the overlay techniques compares with; auto: the same silhouettes counted the other way"),
             field<Diagnostics>("burnIn", boolean(), &Diagnostics::burnIn,
                                "Writes frame, technique and largest value into a corner of each overlay"),

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace umbrage {
 
@@ -68,6 +70,18 @@ constexpr bool canPair(std::string_view silhouette, std::string_view count) {
     if (count == "split-plane") return silhouette == "compute" || silhouette == "cpu";
     const bool lists = silhouette == "compute" || silhouette == "cpu" || silhouette == "vertex-reject-readback";
     return lists || count != "near-cap";
+}
+
+/// All pairs, as silhouette:count, the default first.
+inline std::vector<std::string> techniqueNames() {
+    std::vector<std::string> names;
+    for (const NameAndMeaning& silhouette : kSilhouettes) {
+        for (const CountName& count : kCounts) {
+            if (!canPair(silhouette.name, count.name)) continue;
+            names.push_back(std::string(silhouette.name) + ":" + std::string(count.name));
+        }
+    }
+    return names;
 }
 
 inline constexpr std::array kWhenInexact = {

@@ -90,34 +90,18 @@ private:
 
 }  // namespace
 
-const std::vector<Technique>& allTechniques() {
-    static const std::vector<Technique> all = [] {
-        std::vector<Technique> made;
-        for (const NameAndMeaning& silhouette : kSilhouettes) {
-            for (const CountName& count : kCounts) {
-                if (!canPair(silhouette.name, count.name)) continue;
-                made.push_back({std::string(silhouette.name), std::string(count.name)});
-            }
-        }
-        return made;
-    }();
-    return all;
-}
-
 std::vector<Technique> parseTechniques(const std::string& text) {
     if (text == "all") return allTechniques();
     std::vector<Technique> parsed;
-    std::vector<std::string> names;
-    for (const Technique& technique : allTechniques()) names.push_back(technique.name());
+    const std::vector<std::string> names = techniqueNames();
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string name = text.substr(begin, end - begin);
-        const auto found = std::find(names.begin(), names.end(), name);
-        if (found == names.end()) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
             throw Error(ErrorKind::Usage, "--techniques", fmt::format("there is no technique \"{}\"", name),
                         fmt::format("all, or some of {}", fmt::join(names, ", ")));
         }
-        parsed.push_back(allTechniques()[std::size_t(found - names.begin())]);
+        parsed.push_back(Technique::named(name));
         begin = end + 1;
     }
     return parsed;

@@ -14,9 +14,6 @@
 
 namespace umbrage {
 
-/// All pairs.
-const std::vector<Technique>& allTechniques();
-
 /// "compute:z-pass,cpu:z-fail" or "all". @throws Error(Usage) that lists the names
 std::vector<Technique> parseTechniques(const std::string& text);
 

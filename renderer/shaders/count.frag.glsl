@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// One for every fragment, to be added up: signed as the crossing it is (T6: wide counters), or as a tally (overdraw).
-// With EDGE_ON, for what is seen nearly edge-on, see held_depth.glsl. With PARTS only where the part that it belongs to
+// The crossing that a fragment is, to be added up (T6: wide counters), or with STENCIL_ONLY only its depth. With EDGE_ON,
+// for what is seen nearly edge-on, see held_depth.glsl. With PARTS only where the part that it belongs to
 // is counted by the rule of this draw, see split.glsl.
-// variant: SIGNED 1
-// variant: SIGNED 1, PARTS 1, SAMPLES 4
-// variant: SIGNED 1, PARTS 1, EDGE_ON 1
+// variant: PARTS 1, SAMPLES 4
+// variant: PARTS 1, EDGE_ON 1
 // variant: EDGE_ON 1
 // variant: STENCIL_ONLY 1
 #version 450 core
@@ -21,7 +20,6 @@ void holdDepth() {}
 void main() { holdDepth(); }
 #else
 layout(location = 0) out vec4 outCount;
-#ifdef SIGNED
 layout(location = COUNT_FRONT_VALUE) uniform float frontValue;  // crossings it stands for; negative for z-fail
 #ifdef PARTS
 #include "depth_here.glsl"
@@ -36,10 +34,4 @@ void main() {
     if (!isCounted()) discard;
     outCount = vec4(gl_FrontFacing ? frontValue : -frontValue);
 }
-#else
-void main() {
-    holdDepth();
-    outCount = vec4(1.0);
-}
-#endif
 #endif

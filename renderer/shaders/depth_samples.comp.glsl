@@ -4,17 +4,10 @@
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "shared.h"
+#include "depth_texture.glsl"
 
 layout(local_size_x = CHUNK_SIZE) in;
 
-#ifndef SAMPLES
-#define SAMPLES 1
-#endif
-#if SAMPLES > 1
-layout(binding = 0) uniform sampler2DMS depthTexture;
-#else
-layout(binding = 0) uniform sampler2D depthTexture;
-#endif
 layout(std430, binding = BIND_FILL) writeonly buffer Depths { float depths[]; };
 layout(location = 0) uniform uvec2 grid;
 layout(location = 1) uniform uvec2 size;

@@ -3,14 +3,8 @@
 // variant: SAMPLES 4
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
-#ifndef SAMPLES
-#define SAMPLES 1
-#endif
-#if SAMPLES > 1
-layout(binding = 0) uniform sampler2DMS depthTexture;
-#else
-layout(binding = 0) uniform sampler2D depthTexture;
-#endif
+#include "depth_texture.glsl"
+
 layout(location = 0) out vec4 outLine;
 
 void main() {

@@ -5,6 +5,14 @@
 
 namespace umbrage {
 
+BoxCorners cornersOf(const Geometry::Bounds& box) {
+    BoxCorners corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        corners[i] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
+    }
+    return corners;
+}
+
 std::vector<bool> nearerThanNearPlane(const Geometry& geometry, std::span<const Geometry::Bounds> modelBounds,
                                       const Eye& eye) {
     std::vector<bool> nearer(modelBounds.size());

@@ -2,6 +2,7 @@
 // What can be told from casters' boxes alone, on the host, in double, on the safe side.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,10 @@
 #include "shadow/geometry.h"
 
 namespace umbrage {
+
+using BoxCorners = std::array<glm::dvec3, 8>;
+/// Bit k of a corner's number: high along axis k.
+BoxCorners cornersOf(const Geometry::Bounds& box);
 
 /// Per instance: part of it may be nearer than the near plane (T1).
 std::vector<bool> nearerThanNearPlane(const Geometry& geometry, std::span<const Geometry::Bounds> modelBounds,

@@ -92,30 +92,24 @@ void CasterParts::makeClusters(const Scene& scene, const Geometry& geometry) {
     onDevice_.setClusters(std::move(ofPlaced), clusters);
 }
 
-std::vector<glm::dvec3> CasterParts::pointsOf(const Group& group, const Moment& moment,
-                                              const Geometry& geometry) const {
+std::vector<glm::dvec3> CasterParts::pointsOf(const Group& group, const Moment& moment, const Geometry& geometry,
+                                              std::span<const Geometry::Bounds> bounds) const {
     std::vector<glm::dvec3> points;
     for (const std::uint32_t i : group.instances) {
         std::vector<glm::dvec3> own;
         if (!geometry.hasOwnVertices(i)) {
             own = transformed(extremesOfMeshes_[geometry.meshOf(i)], moment.instances[i].worldFromModel);
         } else {
-            std::vector<glm::dvec3> corners;
-            for (int corner = 0; corner < 8; ++corner) {
-                const auto& [low, high] = bounds_[i];
-                corners.emplace_back(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
-                                     corner & 4 ? high.z : low.z);
-            }
-            own = transformed(corners, geometry.worldFromModel(i));
+            own = transformed(cornersOf(bounds[i]), geometry.worldFromModel(i));
         }
         points.insert(points.end(), own.begin(), own.end());
     }
     return points;
 }
 
-void CasterParts::choose(const Moment& moment, const Geometry& geometry, std::span<const Homogeneous> lights,
-                         std::uint32_t firstLight, const Eye& eye, std::span<const DepthSample> samples) {
-    bounds_ = geometry.modelBounds();
+void CasterParts::choose(const Moment& moment, const Geometry& geometry, std::span<const Geometry::Bounds> modelBounds,
+                         std::span<const Homogeneous> lights, std::uint32_t firstLight, const Eye& eye,
+                         std::span<const DepthSample> samples) {
     chosen_.assign(lights.size(), {});
     for (LightParts& light : chosen_) light.ofCluster.resize(onDevice_.clusterCount());
     for (const Group& group : groups_) {
@@ -124,7 +118,7 @@ void CasterParts::choose(const Moment& moment, const Geometry& geometry, std::sp
             const glm::dmat4& worldFromNode = moment.worldFromNode[std::size_t(group.pointsNode)];
             for (glm::dvec3& p : *choice.points) p = glm::dvec3(worldFromNode * glm::dvec4(p, 1.0));
         }
-        const std::vector<glm::dvec3> points = pointsOf(group, moment, geometry);
+        const std::vector<glm::dvec3> points = pointsOf(group, moment, geometry, modelBounds);
         for (std::size_t l = 0; l < lights.size(); ++l) {
             addParts(group, choice, points, {lights[l], eye, samples},
                      moment.instances[group.instances[0]].worldFromModel, chosen_[l]);

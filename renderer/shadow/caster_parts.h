@@ -10,6 +10,7 @@
 #include "job/job.h"
 #include "scene/clusters.h"
 #include "scene/moment.h"
+#include "shadow/bounds.h"
 #include "shadow/geometry.h"
 #include "shadow/split_estimate.h"
 #include "shadow/split_parts.h"
@@ -22,10 +23,12 @@ public:
     CasterParts(const Scene& scene, const Moment& first, const Geometry& geometry, const JobParts& wanted);
 
     /// Chooses the parts of a group's lights.
+    /// @param modelBounds  of this frame's instances
     /// @param lights  in the world
     /// @param samples  of what is seen; none where `wantsSamples()` says so
-    void choose(const Moment& moment, const Geometry& geometry, std::span<const Homogeneous> lights,
-                std::uint32_t firstLight, const Eye& eye, std::span<const DepthSample> samples);
+    void choose(const Moment& moment, const Geometry& geometry, std::span<const Geometry::Bounds> modelBounds,
+                std::span<const Homogeneous> lights, std::uint32_t firstLight, const Eye& eye,
+                std::span<const DepthSample> samples);
     bool wantsSamples() const;
 
     SplitParts& onDevice() { return onDevice_; }
@@ -51,7 +54,8 @@ private:
 
     void readGroups(const Scene& scene, const Moment& first, const JobParts& wanted);
     void makeClusters(const Scene& scene, const Geometry& geometry);
-    std::vector<glm::dvec3> pointsOf(const Group& group, const Moment& moment, const Geometry& geometry) const;
+    std::vector<glm::dvec3> pointsOf(const Group& group, const Moment& moment, const Geometry& geometry,
+                                     std::span<const Geometry::Bounds> bounds) const;
     void addParts(const Group& group, const SplitChoice& choice, std::span<const glm::dvec3> points, const View& view,
                   const glm::dmat4& worldFromModel, LightParts& parts) const;
     static Candidate best(const SplitChoice& choice, const PartOutline& outline, const View& view);
@@ -61,7 +65,6 @@ private:
     std::vector<Group> groups_;
     std::vector<ClusterTree> trees_;                         // per mesh; only of those that may be divided
     std::vector<std::vector<glm::dvec3>> extremesOfMeshes_;  // empty: it deforms
-    std::vector<Geometry::Bounds> bounds_;                   // of this frame's instances, in model space
     std::vector<LightParts> chosen_;
     SplitParts onDevice_;
 };

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shadow/counts.h"
 
-#include <array>
-
 namespace umbrage {
 namespace {
 
 using Rule = VolumePart::Rule;
 using Kind = VolumePart::Kind;
-
 using Start = VolumePart::Start;
 
 /// Instances of the group's casters that a part is for; `wanted` says which by index.
@@ -96,12 +93,8 @@ void ReachingCasters::find(const CountFrame& frame, double distance) {
     reach_.assign(frame.modelBounds.size(), std::vector<bool>(lights.size()));
     for (std::size_t i = 0; i < reach_.size(); ++i) {
         const glm::dmat4 viewFromModel = frame.eye.viewFromWorld * frame.geometry.worldFromModel(i);
-        const auto& [low, high] = frame.modelBounds[i];
-        std::array<glm::dvec3, 8> corners;
-        for (std::size_t k = 0; k < 8; ++k) {
-            const glm::dvec4 corner(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z, 1.0);
-            corners[k] = glm::dvec3(viewFromModel * corner);
-        }
+        BoxCorners corners = cornersOf(frame.modelBounds[i]);
+        for (glm::dvec3& corner : corners) corner = glm::dvec3(viewFromModel * glm::dvec4(corner, 1.0));
         for (std::size_t l = 0; l < lights.size(); ++l)
             reach_[i][l] = mayReach({frame.eye, distance}, corners, lights[l]);
     }
@@ -112,7 +105,7 @@ std::vector<std::uint32_t> ReachingCasters::of(const CountInput& input) const {
     for (std::uint32_t i = 0; i < reach_.size(); ++i) {
         const gpu::CasterState& caster = input.silhouettes.hostCasters[i];
         if (!reach_[i][input.group.first + input.l]) continue;
-        if (((caster.outOfReach | caster.countedByFail) >> input.l & 1u) == 0) found.push_back(i);
+        if (((caster.outOfReach | caster.outOfView | caster.countedByFail) >> input.l & 1u) == 0) found.push_back(i);
     }
     return found;
 }

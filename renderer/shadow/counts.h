@@ -115,7 +115,7 @@ public:
     bool any(std::uint32_t instance) const {
         return std::ranges::find(reach_[instance], true) != reach_[instance].end();
     }
-    /// Those of a light of the frame that are not out of its reach, ascending.
+    /// Those of a light of the frame that cast its shadows, ascending.
     std::vector<std::uint32_t> of(const CountInput& input) const;
 
 private:

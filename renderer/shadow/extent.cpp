@@ -5,19 +5,6 @@
 #include <limits>
 
 namespace umbrage {
-namespace {
-
-std::array<glm::dvec3, 8> cornersOf(const Geometry::Bounds& box) {
-    std::array<glm::dvec3, 8> corners;
-    for (int i = 0; i < 8; ++i) {
-        corners[std::size_t(i)] = {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
-                                   i & 4 ? box.high.z : box.low.z};
-    }
-    return corners;
-}
-
-}  // namespace
-
 LightExtent::LightExtent(std::span<const Geometry::Bounds> receivers, const ShadowLight& light, double rangeMetres,
                          const Eye& eye)
     : light_(light) {
@@ -50,14 +37,14 @@ LightExtent::LightExtent(std::span<const Geometry::Bounds> receivers, const Shad
     }
 }
 
-std::uint32_t LightExtent::endOf(const Geometry::Bounds& caster) const {
+std::uint32_t LightExtent::endOf(const BoxCorners& caster) const {
     constexpr double kLeastSlope = 0.02;  // flatter ones end far away, where floats are coarse
     std::uint32_t best = 0;
     double shortest = std::numeric_limits<double>::infinity();
     for (std::size_t face = 0; face < kFaces; ++face) {
         if (open_[face]) continue;
         double longest = 0.0;
-        for (const glm::dvec3& corner : cornersOf(caster)) {
+        for (const glm::dvec3& corner : caster) {
             const glm::dvec3 away = corner * light_.w - glm::dvec3(light_);
             const double slope = glm::dot(faces_[face].normal, away), length = glm::length(away);
             const double before = faces_[face].offset - glm::dot(faces_[face].normal, corner);
@@ -99,10 +86,9 @@ std::array<HalfSpace, 4> sidesOfView(const Eye& eye) {
     return sides;
 }
 
-bool outOfView(const Geometry::Bounds& caster, const ShadowLight& light, std::span<const HalfSpace> sidesOfView) {
-    const std::array<glm::dvec3, 8> corners = cornersOf(caster);
+bool outOfView(const BoxCorners& caster, const ShadowLight& light, std::span<const HalfSpace> sidesOfView) {
     return std::any_of(sidesOfView.begin(), sidesOfView.end(), [&](const HalfSpace& side) {
-        return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+        return std::all_of(caster.begin(), caster.end(), [&](const glm::dvec3& corner) {
             const glm::dvec3 away = corner * light.w - glm::dvec3(light);
             const double beyond = glm::dot(side.normal, corner) - side.offset;
             const double margin = 1e-6 * (glm::length(corner) + std::abs(side.offset));

@@ -31,7 +31,8 @@ public:
     /// The face behind which sides of a caster's volume may end, so that they are short: 1 + its number, or 0 for none.
     /// All rays of the light through the caster pass that face outwards, so all ends of sides are in one plane: ends in
     /// several would cut the box's edges.
-    std::uint32_t endOf(const Geometry::Bounds& caster) const;
+    /// @param caster  of its box in the world
+    std::uint32_t endOf(const BoxCorners& caster) const;
 
     /// In view space, normal and offset: a little outside the box.
     std::array<glm::vec4, kFaces> facesInView(const Eye& eye) const;
@@ -46,6 +47,6 @@ private:
 std::array<HalfSpace, 4> sidesOfView(const Eye& eye);
 
 /// Whether a caster and its whole volume lie outside one side of the view: then no view ray meets either.
-bool outOfView(const Geometry::Bounds& caster, const ShadowLight& light, std::span<const HalfSpace> sidesOfView);
+bool outOfView(const BoxCorners& caster, const ShadowLight& light, std::span<const HalfSpace> sidesOfView);
 
 }  // namespace umbrage

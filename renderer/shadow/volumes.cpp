@@ -94,12 +94,12 @@ VolumeRenderer::Programs VolumeRenderer::programs(const SideShaders& shaders, bo
     };
     const std::string sampled = "SAMPLES " + std::to_string(samples);
     return {edgeOn ? held("count.frag", {"STENCIL_ONLY 1"}) : variant("", {}),
-            held("count.frag", {"SIGNED 1"}),
+            held("count.frag", {}),
             held("tally.frag", {sampled}),
             held("tally.frag", {"TALLY 1", "CASES 1", sampled}),
             variant("attribution.frag", {"TALLY 1"}),
             variant("hull.frag", {}),
-            held("count.frag", {"SIGNED 1", "PARTS 1", sampled}),
+            held("count.frag", {"PARTS 1", sampled}),
             held("tally.frag", {"PARTS 1", sampled}),
             held("tally.frag", {"PARTS 1", "TALLY 1", sampled})};
 }

@@ -12,7 +12,7 @@ public:
     void judged(const FrameVerdict& verdict, const VerdictPlanes&, const std::vector<float>&) override {
         ++verdicts;
         for (const LightVerdict& light : verdict.lights) litFacing += light.litFacing;
-        const std::string count = verdict.technique.substr(verdict.technique.find(':') + 1);
+        const std::string count = Technique::named(verdict.technique).count;
         const auto* row = std::find_if(kCounts.begin(), kCounts.end(), [&](const auto& c) { return c.name == count; });
         if (row->exact != Exact::Never) {
             EXPECT_EQ(verdict.hard(), 0u) << verdict.technique;

@@ -53,7 +53,7 @@ TEST(LightExtent, NoViewRayToAReceiverMeetsWhatLiesBehindAnEnd) {
         const double range = light.w != 0.0 && draw.number(0, 1) < 0.3 ? draw.number(1, 12) : 0.0;
         const LightExtent extent(boxes, light, range, eye);
         if (outOfReach(boxes[0], glm::dvec3(light), range)) continue;
-        const std::uint32_t end = extent.endOf(boxes[0]);
+        const std::uint32_t end = extent.endOf(cornersOf(boxes[0]));
         if (end == 0) continue;
         ++ended;
         ranged += range > 0.0;
@@ -87,9 +87,9 @@ TEST(LightExtent, TheShortestWayOutIsTaken) {
     eye.worldFromView[3] = {0, 2, 9, 1};
     eye.viewFromWorld = glm::inverse(eye.worldFromView);
     const LightExtent extent(boxes, {0, 6, 0, 1}, 0.0, eye);
-    const glm::vec4 face = extent.facesInView(eye)[extent.endOf(caster) - 1];
+    const glm::vec4 face = extent.facesInView(eye)[extent.endOf(cornersOf(caster)) - 1];
     EXPECT_EQ(glm::vec3(face), glm::vec3(0, -1, 0));
-    EXPECT_EQ(extent.endOf({{-1, 5, -1}, {1, 7, 1}}), 0u) << "the light is inside: rays leave on all sides";
+    EXPECT_EQ(extent.endOf(cornersOf({{-1, 5, -1}, {1, 7, 1}})), 0u) << "the light is inside: rays leave on all sides";
 }
 
 TEST(OutOfView, NoPointOfTheVolumeIsInView) {
@@ -99,7 +99,7 @@ TEST(OutOfView, NoPointOfTheVolumeIsInView) {
         const Geometry::Bounds box = draw.box(5);
         const ShadowLight light = draw.light();
         const Eye eye = draw.eye();
-        if (!outOfView(box, light, sidesOfView(eye))) continue;
+        if (!outOfView(cornersOf(box), light, sidesOfView(eye))) continue;
         ++out;
         for (int i = 0; i < 64; ++i) {
             const glm::dvec3 p = draw.in(box), away = p * light.w - glm::dvec3(light);
