@@ -193,17 +193,17 @@ void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vecto
     for (std::uint32_t l = 0; l < group.count; ++l) {
         const PlacedLight& light = *lights[group.first + l];
         const ShadowLight& place = shadowLights[group.first + l];
-        const LightExtent extent(boxes, place, light.light.rangeMetres, eye);
+        const LightReach reach = lightReach(light, place);
+        const LightExtent extent(boxes, reach, eye);
+        const bool ends = counts.endsVolumes(group.first + l, settings.endVolumes);
         silhouettes.extents[l] = extent.facesInView(eye);
         for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
             gpu::CasterState& caster = silhouettes.hostCasters[i];
-            const bool beyond =
-                settings.skipOutOfReach && outOfReach(boxes[i], light.position, light.light.rangeMetres);
+            const bool beyond = settings.skipOutOfReach && outOfReach(boxes[i], reach);
             const bool unseen = settings.skipOutOfView && outOfView(corners[i], place, view);
             caster.outOfReach |= std::uint32_t(beyond) << l;
             caster.outOfView |= std::uint32_t(unseen) << l;
-            // By parts any caster may be counted from infinity somewhere, and then ends in its caps there.
-            if (!settings.endSides || counts.byParts() || beyond || unseen) continue;
+            if (!ends || beyond || unseen) continue;
             caster.ends[l / 10] |= extent.endOf(corners[i]) << (3 * (l % 10));
         }
     }

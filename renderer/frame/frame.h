@@ -35,7 +35,7 @@ struct FrameSettings {
     bool halveEvenComponents = true;  // see shadow/counts.h
     bool skipOutOfReach = true;       // see shadow/bounds.h
     bool skipOutOfView = true;        // these two: see shadow/extent.h
-    bool endSides = true;             // moves corners, so that a mask may round otherwise on a boundary
+    bool endVolumes = true;           // moves corners, so that a mask may round otherwise on a boundary
     glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
     bool profile = false;
     Fault fault = Fault::None;  // planted on purpose, for the judge's own tests

@@ -35,6 +35,12 @@ public:
     std::uint32_t fromInfinity(const LightGroup& group) const;
     std::uint32_t withEyeConstant(const LightGroup& group) const;
 
+    /// Whether volumes of a light of the frame end behind all that it shines on.
+    /// @param skips  where that is left to the skip (T2)
+    bool endsVolumes(std::uint32_t light, bool skips) const {
+        return of(light).endMetres() == 0.0 && (skips || of(light).endsVolumes());
+    }
+
     /// Of a light of the group that was swept last.
     /// @throws Error(Input) as begin()
     std::vector<CountPlan> plan(const CountInput& input, Masks& masks, VolumeRenderer& volumes,

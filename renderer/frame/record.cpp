@@ -109,7 +109,7 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
         zfail += byFail;
         outOfReach += caster.outOfReach >> l & 1u;
         outOfView += (caster.outOfView & ~caster.outOfReach) >> l & 1u;
-        ended += !byFail && endOfSides(caster, l) != 0;
+        ended += endOfVolume(caster, l) != 0;
         FillSums own;
         own.add(fill.casters[i], byFail, halve);
         if (own.fragments() > 0) {

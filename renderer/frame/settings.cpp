@@ -74,7 +74,7 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     settings.halveEvenComponents = skip("halve");
     settings.skipOutOfReach = skip("range");
     settings.skipOutOfView = skip("view");
-    settings.endSides = skip("extent");
+    settings.endVolumes = skip("extent");
     settings.background = vec3Of(job.image.background);
     settings.ambientSky = composition.ambientSky;
     settings.ambientGround = composition.ambientGround;

@@ -185,8 +185,8 @@ Type<Job::Shadow> shadowSettings() {
             field<Shadow>("whenInexact", choice(namesOf(kWhenInexact)), &Shadow::whenInexact,
                           "Where the way of counting is not exact and says so: " + meaningsOf(kWhenInexact)),
             field<Shadow>("extrusion", number(atLeast(0)), &Shadow::extrusionMetres,
-                          "Where volumes of z-fail-finite end, from the light; 0: beyond the box of its range, or of "
-                          "the scene")
+                          "Where volumes of z-fail-finite end, from the light; 0: behind the box of all that it shines "
+                          "on")
                 .in("metres"),
             field<Shadow>("silhouette", choice(orAuto(namesOf(kSilhouettes))), &Shadow::silhouette,
                           "How silhouette edges are found: " + meaningsOf(kSilhouettes)),

@@ -92,9 +92,9 @@ inline constexpr std::array kWhenInexact = {
 
 inline constexpr std::array kSkips = {
     NameAndMeaning{"halve", "one quad for two where every count is even"},
-    NameAndMeaning{"range", "casters out of a light's range"},
+    NameAndMeaning{"range", "casters out of a light's range or cone"},
     NameAndMeaning{"view", "casters whose volumes no view ray meets"},
-    NameAndMeaning{"extent", "sides of volumes end behind all that the light can shine on"},
+    NameAndMeaning{"extent", "volumes end behind all that the light can shine on"},
 };
 
 }  // namespace umbrage

@@ -3,13 +3,11 @@
 //   CAP_TRUE     at their own depth: triangles that may be missing from the depth buffer where they are nearest
 //   CAP_EDGE_ON  those of them that are seen nearly edge-on (see count.frag.glsl)
 //   CAP_FAR      all others at infinite depth, where they always fail, whatever rounding does (z-fail)
-//   CAP_DARK     the projection to infinity (z-fail)
+//   CAP_DARK     where the volume ends, at infinite depth (z-fail)
 // variant: EDGE_ON 1
 // variant: TALLY 1, EDGE_ON 1
 // variant: TALLY 1
 // variant: PARTS 1, TALLY 1
-// variant: FINITE 1
-// variant: FINITE 1, EDGE_ON 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "caps.glsl"
@@ -24,7 +22,9 @@ void main() {
     if (triangle.flip != (cap == CAP_DARK)) corner = 2u - corner;
     vec3 p = positionOf(triangle.vertices[corner]);
     if (cap == CAP_DARK) {
-        gl_Position = farCorner(instance, p, lightsInModel[instance * totalLights + lightIndex]);
+        gl_Position = volumeEnd(instance, p, lightOf(instance));
+        // Behind all that is seen; seen edge-on, a depth of its own would not say so.
+        if (endOf(instance) != 0u) gl_Position.z = 0.0;
         return;
     }
     gl_Position = nearCorner(instance, p);

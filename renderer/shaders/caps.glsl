@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which triangles a draw of caps is for, and which way round they are.
-#include "corners.glsl"
+#include "volume_end.glsl"
 
 layout(std430, binding = BIND_TRIANGLE_FLAGS) readonly buffer TriangleFlags { uint triangleFlags[]; };
 layout(std430, binding = BIND_TRIANGLE_CHUNKS) readonly buffer TriangleChunks { uint triangleChunks[]; };
-layout(std430, binding = BIND_LIGHTS_IN_MODEL) readonly buffer LightsInModel { vec4 lightsInModel[]; };
 layout(std430, binding = BIND_FACING) readonly buffer Facing { uvec2 facing[]; };
-layout(std430, binding = BIND_CASTERS) readonly buffer Casters { CasterState casters[]; };
 layout(std430, binding = BIND_PLANES) readonly buffer Planes { vec4 planes[]; };
 
-layout(location = 0) uniform uint lightIndex;
-layout(location = 1) uniform uint totalLights;
 layout(location = 2) uniform uint facingBase;
 layout(location = 3) uniform uint lightBit;   // of this group
 layout(location = 4) uniform uint cap;

@@ -26,21 +26,8 @@ uint partOfTriangle(uint placed) { return partOf[firstCluster + clusters[placed]
 
 vec4 nearCorner(uint instance, vec3 p) { return clipFromView(viewFromModel(instance, vec4(p, 1.0)), 1.0); }
 
-#ifdef FINITE
-layout(location = VOLUME_END) uniform float endMetres;  // from the light; of a directional one from the caster
-
-/// The projection of p from the light to a finite distance.
-vec4 farCorner(uint instance, vec3 p, vec4 light) {
-    vec3 from = viewFromModel(instance, vec4(p, 1.0));
-    precise vec3 ray = viewFromModel(instance, vec4(p * light.w - light.xyz, 0.0));
-    precise float away = length(ray);
-    precise vec3 end = from + ray * (max(endMetres - light.w * away, 0.0) / away);
-    return clipFromView(end, 1.0);
-}
-#else
 /// The projection of p from the light to infinity.
 vec4 farCorner(uint instance, vec3 p, vec4 light) {
     precise vec3 direction = p * light.w - light.xyz;
     return clipFromView(viewFromModel(instance, vec4(direction, 0.0)), 0.0);
 }
-#endif

@@ -52,7 +52,7 @@ bool findHazards(uint instance, uint l, uint list, Edge edge, uint flags, vec4 l
     uint part = partOfTriangle(instances[instance].placedTriangleBase + triangle, l);
     vec4 eye = instances[instance].eyeInModel;
     bool drawn = true;
-    for (uint end = SPLIT_PASS; end <= (eye.w == 0.0 ? SPLIT_FAIL : SPLIT_PASS); ++end) {
+    for (uint end = SPLIT_PASS; end <= (mayHoldFarEnds(instance, l) ? SPLIT_FAIL : SPLIT_PASS); ++end) {
         vec4 there = end == SPLIT_PASS ? eye : -eye;
         if (hazardous(there, light, a, b)) atomicOr(parts[part].hazards, 1u << end);
         if (endsInQuad(there, light, a, b)) drawn = false;
@@ -63,9 +63,9 @@ bool findHazards(uint instance, uint l, uint list, Edge edge, uint flags, vec4 l
 /// @return  whether the quad is drawn at all
 bool findHazards(uint instance, uint l, uint list, Edge edge, uint flags, vec4 light, vec3 a, vec3 b) {
     vec4 eye = instances[instance].eyeInModel;
-    bool orthographic = eye.w == 0.0, fail = list == LIST_FAIL;
-    if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) return false;
-    if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
+    bool fail = list == LIST_FAIL;
+    if ((fail || eye.w == 0.0) && endsInQuad(fail ? eye : -eye, light, a, b)) return false;
+    if ((!fail || mayHoldFarEnds(instance, l)) && hazardous(fail ? -eye : eye, light, a, b)) {
         atomicOr(casters[instance].hazards, 1u << l);
     }
     return true;

@@ -124,12 +124,11 @@ bool isOver(vec4 end, vec3 a, vec3 b, vec3 c, vec3 n, vec4 light, float lightSid
 }
 
 #ifdef PARTS
-/// Adds the triangle to its part's constant of either end of the view rays. A perspective eye sees no end at infinity:
-/// there the dark cap ends z-fail.
+/// Adds the triangle to its part's constant of either end of the view rays.
 void countEye(uint instance, uint l, uint placed, vec3 a, vec3 b, vec3 c, vec3 n, vec4 light, float lightSide) {
     uint part = partOfTriangle(placed, l);
     vec4 eye = instances[instance].eyeInModel;
-    for (uint end = SPLIT_PASS; end <= (eye.w == 0.0 ? SPLIT_FAIL : SPLIT_PASS); ++end) {
+    for (uint end = SPLIT_PASS; end <= (mayHoldFarEnds(instance, l) ? SPLIT_FAIL : SPLIT_PASS); ++end) {
         bool undecided = false;
         if (isOver(end == SPLIT_PASS ? eye : -eye, a, b, c, n, light, lightSide, undecided)) {
             atomicAdd(parts[part].eyeInside[end], 1u);
@@ -141,12 +140,12 @@ void countEye(uint instance, uint l, uint placed, vec3 a, vec3 b, vec3 c, vec3 n
 #else
 /// Adds the triangle to the eye constant of its list when it lies between light and eye. For an orthographic eye that
 /// is the infinite end of the view rays that the list's counting starts from: behind the viewer for z-pass, before it
-/// for z-fail (T5); a perspective z-fail ends in the dark cap and needs no constant.
+/// for z-fail (T5).
 void countEye(uint instance, uint l, uint flags, vec3 a, vec3 b, vec3 c, vec3 n, vec4 light, float lightSide) {
     uint list = listOf(instance, l, (flags & TRIANGLE_EVEN) != 0u);
     vec4 eye = instances[instance].eyeInModel;
     if (list == LIST_FAIL) {
-        if (eye.w != 0.0) return;
+        if (!mayHoldFarEnds(instance, l)) return;
         eye.xyz = -eye.xyz;
     }
     bool undecided = false;
@@ -164,7 +163,8 @@ void countCaps(uint instance, uint l, uint flags, vec4 light, float side) {
     bool fail = (casters[instance].countedByFail >> l & 1u) != 0u;
 #endif
     if (fail || (flags & TRIANGLE_HOLED) != 0u || casters[instance].missing != 0u) atomicAdd(summaries[l].lightCaps, 1u);
-    if (fail && light.w != 0.0 && instances[instance].eyeInModel.w != 0.0) atomicAdd(summaries[l].darkCaps, 1u);
+    bool apart = light.w != 0.0 && instances[instance].eyeInModel.w != 0.0;
+    if (fail && (apart || endOfVolume(instance, l) != 0u)) atomicAdd(summaries[l].darkCaps, 1u);
 }
 
 void main() {

@@ -16,7 +16,7 @@ void main() {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside: dropped
     CapTriangle triangle;
     if (!findCap(uint(gl_VertexID) / 3u, triangle)) return;
-    vec4 inModel = lightsInModel[triangle.instance * totalLights + lightIndex];
+    vec4 inModel = lightOf(triangle.instance);
     vec4 light = vec4(viewFromModel(triangle.instance, inModel), inModel.w);
     float s = beyond(light) < 0.0 ? -1.0 : 1.0;
     // What faces the light faces the eye where it enters the picture's volume: seen from behind when the light is there.

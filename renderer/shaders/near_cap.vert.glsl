@@ -109,7 +109,7 @@ void main() {
     uint vertex = uint(gl_VertexID);
     CapTriangle triangle;
     if (!findCap(vertex / 9u, triangle)) return;
-    vec4 lightInModel = lightsInModel[triangle.instance * totalLights + lightIndex];
+    vec4 lightInModel = lightOf(triangle.instance);
     dvec3 light = viewFromModelInDouble(triangle.instance, lightInModel);
     Corner corners[6];
     for (int i = 0; i < 3; ++i) {

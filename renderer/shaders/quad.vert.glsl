@@ -4,8 +4,6 @@
 // variant: TALLY 1, EDGE_ON 1
 // variant: TALLY 1
 // variant: PARTS 1, TALLY 1
-// variant: FINITE 1
-// variant: FINITE 1, EDGE_ON 1
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #include "side_quad.glsl"

@@ -22,7 +22,7 @@ vec4 nearEnd(uint instance, uint vertex) {
 }
 
 vec4 farEnd(uint instance, uint vertex, vec4 light) {
-    return sideEnd(instance, texelFetch(inModel, texelOf(firstTexels[instance] + vertex), 0).xyz, light);
+    return volumeEnd(instance, texelFetch(inModel, texelOf(firstTexels[instance] + vertex), 0).xyz, light);
 }
 
 void main() {

@@ -189,11 +189,11 @@ struct CasterState {
     uint countedByFail;  // bits of this group's lights: counted by z-fail
     uint hazards;        // bits of lights for which it must be (T4); written by the silhouette passes
     uint missing;        // some of it is nearer than what is seen there: culled, or before the near plane (T1)
-    uint outOfReach;     // bits of lights whose range ends before it: it neither receives nor casts
+    uint outOfReach;     // bits of lights whose range or cone it is out of: it neither receives nor casts
     uint outOfView;      // bits of lights with which no view ray meets it or its volume
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight; as hazards
-    uint ends[4];  // ten lights in each, three bits a light: 0, or 1 + the face of the light's extent that sides end
-                   // behind
+    uint ends[4];  // ten lights in each, three bits a light: 0, or 1 + the face of the light's extent that its
+                   // volume ends behind
 };
 
 // A part of the casters of one light, counted by z-pass before its split plane and by z-fail behind it (Laine 2005).

@@ -5,5 +5,5 @@ vec4 nearEnd(uint instance, uint vertex) {
 }
 
 vec4 farEnd(uint instance, uint vertex, vec4 light) {
-    return sideEnd(instance, positionOf(instances[instance].vertexBase + vertex), light);
+    return volumeEnd(instance, positionOf(instances[instance].vertexBase + vertex), light);
 }

@@ -33,6 +33,15 @@ ShadowLight shadowLight(const PlacedLight& placed) {
                                                        : glm::dvec4(placed.position, 1.0);
 }
 
+LightReach lightReach(const PlacedLight& placed, const ShadowLight& light) {
+    LightReach reach{light, placed.light.rangeMetres};
+    if (placed.light.type == LightType::Spot) {
+        reach.axis = placed.direction;
+        reach.coneAngle = placed.light.outerConeAngle;
+    }
+    return reach;
+}
+
 bool parallelToView(const PlacedLight& placed, const Eye& eye) {
     if (eye.perspective || placed.light.type != LightType::Directional) return false;
     const glm::dvec3 direction(eye.viewFromWorld * glm::dvec4(placed.direction, 0.0));

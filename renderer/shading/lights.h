@@ -7,8 +7,8 @@
 #include "gpu/objects.h"
 #include "scene/moment.h"
 #include "shaders/shared.h"
+#include "shadow/bounds.h"
 #include "shadow/eye.h"
-#include "shadow/silhouette.h"
 
 namespace umbrage {
 
@@ -17,6 +17,8 @@ bool isOn(const Light& light);
 
 gpu::LightData lightData(const PlacedLight& placed, const Eye& eye);
 ShadowLight shadowLight(const PlacedLight& placed);
+/// @param light  as shadowLight() gives it
+LightReach lightReach(const PlacedLight& placed, const ShadowLight& light);
 
 /// Directional and, up to float rounding, along the view of an orthographic eye (T5).
 bool parallelToView(const PlacedLight& placed, const Eye& eye);

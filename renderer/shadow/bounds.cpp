@@ -2,6 +2,8 @@
 #include "shadow/bounds.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace umbrage {
 
@@ -39,10 +41,33 @@ std::vector<Geometry::Bounds> worldBounds(const Geometry& geometry, std::span<co
     return boxes;
 }
 
-bool outOfReach(const Geometry::Bounds& worldBox, const glm::dvec3& lightPosition, double rangeMetres) {
-    if (rangeMetres <= 0.0) return false;
-    const glm::dvec3 nearest = glm::clamp(lightPosition, worldBox.low, worldBox.high);
-    return glm::distance(nearest, lightPosition) > rangeMetres * (1.0 + 1e-5);  // beyond what floats can confuse
+Geometry::Bounds boxOf(const LightReach& reach) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Geometry::Bounds box{glm::dvec3(-kInfinity), glm::dvec3(kInfinity)};
+    if (reach.light.w == 0.0) return box;
+    const double farthest = reach.rangeMetres > 0.0 ? reach.rangeMetres : kInfinity;
+    /// From the light along a direction that is `cosine` away from the axis.
+    const auto along = [&](double cosine) {
+        const double fromCone = std::max(std::acos(std::clamp(cosine, -1.0, 1.0)) - reach.coneAngle, 0.0);
+        return fromCone < 0.5 * std::numbers::pi ? farthest * std::cos(fromCone) : 0.0;
+    };
+    for (int k = 0; k < 3; ++k) {
+        box.low[k] = reach.light[k] - along(-reach.axis[k]);
+        box.high[k] = reach.light[k] + along(reach.axis[k]);
+    }
+    return box;
+}
+
+bool outOfReach(const Geometry::Bounds& worldBox, const LightReach& reach) {
+    if (reach.light.w == 0.0) return false;
+    const glm::dvec3 light(reach.light), nearest = glm::clamp(light, worldBox.low, worldBox.high);
+    // Margins beyond what floats can confuse.
+    if (reach.rangeMetres > 0.0 && glm::distance(nearest, light) > reach.rangeMetres * (1.0 + 1e-5)) return true;
+    const glm::dvec3 towards = 0.5 * (worldBox.low + worldBox.high) - light;
+    const double distance = glm::length(towards), radius = 0.5 * glm::distance(worldBox.low, worldBox.high);
+    if (distance <= radius) return false;
+    const double fromAxis = std::acos(std::clamp(glm::dot(towards, reach.axis) / distance, -1.0, 1.0));
+    return fromAxis - std::asin(radius / distance) > reach.coneAngle + 1e-4;
 }
 
 bool mayReach(const StartRectangle& rectangle, std::span<const glm::dvec3> corners, const glm::dvec4& lightInView) {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <span>
 #include <vector>
 
 #include "shadow/eye.h"
 #include "shadow/geometry.h"
+#include "shadow/silhouette.h"
 
 namespace umbrage {
 
@@ -22,9 +24,21 @@ std::vector<bool> nearerThanNearPlane(const Geometry& geometry, std::span<const 
 /// Boxes with the world's axes around the instances.
 std::vector<Geometry::Bounds> worldBounds(const Geometry& geometry, std::span<const Geometry::Bounds> modelBounds);
 
-/// Whether a box lies wholly out of a light's range. Whatever stands between such a light and a point in its range is
-/// in range too, so skipping the rest as caster and receiver changes no pixel (docs/rules.md, G6).
-bool outOfReach(const Geometry::Bounds& worldBox, const glm::dvec3& lightPosition, double rangeMetres);
+/// What a light can shine on, in the world. It is convex: whatever stands between the light and something in it is in
+/// it.
+struct LightReach {
+    ShadowLight light;
+    double rangeMetres = 0.0;             // 0: unlimited
+    glm::dvec3 axis{0.0};                 // of a spot: unit, the way it shines
+    double coneAngle = std::numbers::pi;  // of a spot: from its axis to where its light ends, at most pi / 2
+};
+
+/// The smallest box around it; infinite where it is.
+Geometry::Bounds boxOf(const LightReach& reach);
+
+/// Whether a box lies wholly out of a light's range or cone: skipping such casters and receivers changes no pixel
+/// (docs/rules.md, G6).
+bool outOfReach(const Geometry::Bounds& worldBox, const LightReach& reach);
 
 /// Where counts begin, in view space: the picture's rectangle at a distance along the view axis, and a light,
 /// homogeneous.

@@ -45,11 +45,12 @@ public:
 
 private:
     /// Those far away count behind the planes only, of themselves: nothing lies behind them.
-    static void addCaps(const CountInput& input, CountPlan& plan) {
+    void addCaps(const CountInput& input, CountPlan& plan) const {
         const Silhouettes& silhouettes = input.silhouettes;
-        std::vector<std::uint32_t> all, notInDepthBuffer;
+        std::vector<std::uint32_t> all, notInDepthBuffer, dark;
         for (std::uint32_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
             all.push_back(i);
+            if (needsDarkCap(input, i)) dark.push_back(i);
             if (input.settings.holed[i] || silhouettes.hostCasters[i].missing != 0) notInDepthBuffer.push_back(i);
         }
         if (!notInDepthBuffer.empty()) {
@@ -58,9 +59,7 @@ private:
             }
         }
         plan.parts.push_back({Kind::Cap, Rule::Split, Start::Eye, CAP_FAR, all});
-        const bool positional = silhouettes.hostLightsInModel[input.group.first + input.l].w != 0.0f;
-        if (input.settings.perspective && positional)
-            plan.parts.push_back({Kind::Cap, Rule::Split, Start::Eye, CAP_DARK, all});
+        if (!dark.empty()) plan.parts.push_back({Kind::Cap, Rule::Split, Start::Eye, CAP_DARK, dark});
     }
 };
 

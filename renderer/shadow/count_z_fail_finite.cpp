@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// z-fail as Kilgard 2001 describes it of Carmack's Doom: volumes end at a finite distance from the light, beyond the
-// bounds of what it lights, and are capped there. The infinite projection stands for the far plane that he moves out to
-// hold them. The cap of a triangle is flat, so near a light its middle comes nearer than its corners: seen from the
-// light under a wide angle, the volume collapses and lets light through.
+// z-fail as Kilgard 2001 describes it of Carmack's Doom: volumes are clipped to the bounds of what the light shines on
+// (its range, a spot's cone, all receivers) and capped there. Where no face of the bounds is crossed by all rays
+// through a caster, they go on to infinity. The infinite projection stands for the far plane that he moves out to hold
+// them.
+//
+// Told a distance, they end there, as in Doom itself, at all corners alike. The cap of a triangle is flat, so near a
+// light its middle comes nearer than its corners: seen from the light under a wide angle, the volume collapses and lets
+// light through.
 #include <cmath>
-#include <numbers>
 
 #include "shadow/counts.h"
 
@@ -28,45 +31,37 @@ public:
     explicit ZFailFinite(double endMetres) : endMetres_(endMetres) {}
 
     bool fromInfinity() const override { return true; }
-    bool hasEyeConstant() const override { return false; }
-    double endMetres(std::uint32_t light) const override { return ends_[light]; }
+    bool hasEyeConstant() const override { return endMetres_ == 0.0; }  // of volumes that do not end
+    bool endsVolumes() const override { return true; }
+    double endMetres() const override { return endMetres_; }
 
     void begin(const CountFrame& frame) override {
         const std::vector<Geometry::Bounds> boxes = worldBounds(frame.geometry, frame.modelBounds);
-        ends_.clear();
         collapses_.clear();
-        for (std::size_t l = 0; l < frame.lights.size(); ++l) measure(boxes, frame.lights[l], frame.rangesMetres[l]);
+        for (std::size_t l = 0; l < frame.lights.size(); ++l) {
+            collapses_.push_back(endMetres_ > 0.0 && collapses(boxes, frame.lights[l], frame.rangesMetres[l]));
+        }
     }
 
     std::string whyInexact(std::uint32_t light) const override {
-        return collapses_[light] ? "a caster is so near the light that its volume may end before what it shades" : "";
+        return collapses_[light] ? "a caster's volume may end before what it shades" : "";
     }
 
 private:
-    void measure(const std::vector<Geometry::Bounds>& boxes, const ShadowLight& light, double rangeMetres) {
-        if (light.w == 0.0) {  // parallel caps do not collapse
-            const double across = 2.0 * radiusOf(boxes);
-            ends_.push_back(endMetres_ > 0.0 ? endMetres_ : across * (1.0 + 1e-3));
-            collapses_.push_back(ends_.back() < across);
-            return;
-        }
+    bool collapses(const std::vector<Geometry::Bounds>& boxes, const ShadowLight& light, double rangeMetres) const {
+        if (light.w == 0.0) return endMetres_ < 2.0 * radiusOf(boxes);  // parallel caps are as far as their corners
         const glm::dvec3 at(light);
         double lit = rangeMetres;
         if (lit <= 0.0) {
             for (const Geometry::Bounds& box : boxes) lit = std::max(lit, farthestOf(box, at));
         }
-        // The sphere around the box of the light's range.
-        ends_.push_back(endMetres_ > 0.0 ? endMetres_ : std::numbers::sqrt3 * lit);
-        bool collapses = false;
-        for (const Geometry::Bounds& box : boxes) {
-            collapses = collapses || (!outOfReach(box, at, lit) && ends_.back() * nearestOfCap(box, at) < lit);
-        }
-        collapses_.push_back(collapses);
+        return std::ranges::any_of(boxes, [&](const Geometry::Bounds& box) {
+            return !outOfReach(box, {.light = light, .rangeMetres = lit}) && endMetres_ * nearestOfCap(box, at) < lit;
+        });
     }
 
     double endMetres_;
-    std::vector<double> ends_;  // these two per light of the frame
-    std::vector<bool> collapses_;
+    std::vector<bool> collapses_;  // per light of the frame
 };
 
 }  // namespace

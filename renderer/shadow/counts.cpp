@@ -70,11 +70,8 @@ std::vector<CountPlan> CountTechnique::plan(const CountInput& input) const {
     }
     addSides(whole, LIST_FAIL, Rule::Fail, Start::Eye, summary);
     addCap(whole, CAP_FAR, Rule::Fail, Start::Eye, silhouettes, l, all);
-    // All ends of a directional light's volumes meet in one point, and an orthographic eye sees no point at infinity.
-    const bool positional = silhouettes.hostLightsInModel[group.first + l].w != 0.0f;
-    const double endMetres = this->endMetres(group.first + l);
-    if ((settings.perspective && positional) || endMetres > 0.0)
-        addCap(whole, CAP_DARK, Rule::Fail, Start::Eye, silhouettes, l, all);
+    addCap(whole, CAP_DARK, Rule::Fail, Start::Eye, silhouettes, l,
+           [&](std::uint32_t i) { return needsDarkCap(input, i); });
     addStart(whole, input);
     whole.wide = layerBound > 255;
     whole.eyeLayers = eyeInside(LIST_WHOLE) + eyeInside(LIST_FAIL);
@@ -82,9 +79,17 @@ std::vector<CountPlan> CountTechnique::plan(const CountInput& input) const {
     if (!whole.parts.empty() || whole.eyeLayers != 0) plans.push_back(std::move(whole));
     for (CountPlan& plan : plans) {
         if (inverts()) keepParity(plan);
-        for (VolumePart& part : plan.parts) part.endMetres = float(endMetres);
+        for (VolumePart& part : plan.parts) part.endMetres = float(endMetres());
     }
     return plans;
+}
+
+bool CountTechnique::needsDarkCap(const CountInput& input, std::uint32_t instance) const {
+    const Silhouettes& silhouettes = input.silhouettes;
+    if (endMetres() > 0.0 || endOfVolume(silhouettes.hostCasters[instance], input.l) != 0) return true;
+    // All infinite ends of a directional light's volumes meet in one point, and an orthographic eye sees none.
+    const bool positional = silhouettes.hostLightsInModel[input.group.first + input.l].w != 0.0f;
+    return input.settings.perspective && positional;
 }
 
 void ReachingCasters::find(const CountFrame& frame, double distance) {

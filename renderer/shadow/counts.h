@@ -90,8 +90,11 @@ public:
     /// Whether something is wrong where rasteriser and eye constant disagree (T4).
     virtual bool hasEyeConstant() const { return start() == VolumePart::Start::Eye; }
 
-    /// Where volumes of a light of the frame end, from the light (of a directional one, from the caster); 0: nowhere.
-    virtual double endMetres(std::uint32_t) const { return 0.0; }
+    /// Whether volumes end behind all that the light shines on, also where that is not wanted as a skip (T2).
+    virtual bool endsVolumes() const { return false; }
+
+    /// Where volumes end instead, from the light (of a directional one, from the caster); 0: not at a distance.
+    virtual double endMetres() const { return 0.0; }
 
     /// Whether every crossing inverts the count's bits instead of adding to it.
     virtual bool inverts() const { return false; }
@@ -103,6 +106,9 @@ public:
     virtual std::vector<CountPlan> plan(const CountInput& input) const;
 
 protected:
+    /// Whether a caster's volume, counted from infinity, needs its far end closed.
+    bool needsDarkCap(const CountInput& input, std::uint32_t instance) const;
+
     /// What the whole count needs where counts begin elsewhere than at the eye: what an eye constant is for the others.
     virtual void addStart(CountPlan&, const CountInput&) const {}
 };
@@ -123,7 +129,7 @@ private:
 };
 
 struct CountOptions {
-    double endMetres = 0.0;  // of techniques whose volumes end; 0: they choose
+    double endMetres = 0.0;  // of techniques whose volumes end; 0: behind all that the light shines on
 };
 
 /// @param name  of kCounts

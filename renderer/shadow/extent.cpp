@@ -5,20 +5,18 @@
 #include <limits>
 
 namespace umbrage {
-LightExtent::LightExtent(std::span<const Geometry::Bounds> receivers, const ShadowLight& light, double rangeMetres,
-                         const Eye& eye)
-    : light_(light) {
+LightExtent::LightExtent(std::span<const Geometry::Bounds> receivers, const LightReach& reach, const Eye& eye)
+    : light_(reach.light) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     glm::dvec3 low(kInfinity), high(-kInfinity);
     for (const Geometry::Bounds& box : receivers) {
-        if (outOfReach(box, glm::dvec3(light), rangeMetres)) continue;
+        if (outOfReach(box, reach)) continue;
         low = glm::min(low, box.low);
         high = glm::max(high, box.high);
     }
-    if (rangeMetres > 0.0) {
-        low = glm::max(low, glm::dvec3(light) - rangeMetres);
-        high = glm::min(high, glm::dvec3(light) + rangeMetres);
-    }
+    const Geometry::Bounds reached = boxOf(reach);
+    low = glm::max(low, reached.low);
+    high = glm::min(high, reached.high);
     if (eye.perspective) {
         low = glm::min(low, eye.position());
         high = glm::max(high, eye.position());

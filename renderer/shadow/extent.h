@@ -7,7 +7,6 @@
 #include <span>
 
 #include "shadow/bounds.h"
-#include "shadow/silhouette.h"
 
 namespace umbrage {
 
@@ -24,13 +23,11 @@ public:
     static constexpr std::size_t kFaces = 6;
 
     /// @param receivers  boxes with the world's axes, a little larger than what is in them
-    /// @param rangeMetres  0: unlimited
-    LightExtent(std::span<const Geometry::Bounds> receivers, const ShadowLight& light, double rangeMetres,
-                const Eye& eye);
+    LightExtent(std::span<const Geometry::Bounds> receivers, const LightReach& reach, const Eye& eye);
 
-    /// The face behind which sides of a caster's volume may end, so that they are short: 1 + its number, or 0 for none.
-    /// All rays of the light through the caster pass that face outwards, so all ends of sides are in one plane: ends in
-    /// several would cut the box's edges.
+    /// The face behind which a caster's volume may end, so that it is short: 1 + its number, or 0 for none. All rays of
+    /// the light through the caster pass that face outwards, so the whole end is in one plane: ends in several would
+    /// cut the box's edges.
     /// @param caster  of its box in the world
     std::uint32_t endOf(const BoxCorners& caster) const;
 

@@ -48,7 +48,7 @@ struct Silhouettes {
 };
 
 /// Of light `l` of the group: 0, or 1 + the face of its extent that sides end behind.
-inline std::uint32_t endOfSides(const gpu::CasterState& caster, std::uint32_t l) {
+inline std::uint32_t endOfVolume(const gpu::CasterState& caster, std::uint32_t l) {
     return caster.ends[l / 10] >> (3 * (l % 10)) & 7u;
 }
 

@@ -11,6 +11,11 @@
 namespace umbrage {
 namespace {
 
+/// As in shaders/caster_lists.glsl.
+bool mayHoldFarEnds(const gpu::InstanceData& instance, const gpu::CasterState& caster, std::uint32_t l) {
+    return instance.eyeInModel.w == 0.0f && endOfVolume(caster, l) == 0;
+}
+
 /// d.(a x b); see determinant3() in facing.comp.glsl.
 double determinant3(const glm::dvec3& d, const glm::dvec3& a, const glm::dvec3& b, glm::dvec3& n) {
     n = glm::cross(a, b);
@@ -168,8 +173,9 @@ private:
     void countEye(const gpu::InstanceData& instance, const glm::vec4& light, float lightSide,
                   const std::array<glm::vec3, 3>& v, const glm::vec3& n, std::uint32_t list, std::uint32_t l,
                   gpu::LightSummary& summary, gpu::CasterState& caster) const;
-    void countEnds(const glm::vec4& eye, const glm::vec4& light, float lightSide, const std::array<glm::vec3, 3>& v,
-                   const glm::vec3& n, gpu::LightSummary& summary, gpu::SplitPart& part) const;
+    void countEnds(const glm::vec4& eye, bool bothEnds, const glm::vec4& light, float lightSide,
+                   const std::array<glm::vec3, 3>& v, const glm::vec3& n, gpu::LightSummary& summary,
+                   gpu::SplitPart& part) const;
     void appendAll(const Geometry& geometry, std::uint32_t i, std::uint32_t k, const LightGroup& group, bool halve,
                    const gpu::uvec2& left, const gpu::uvec2& right, std::uint32_t flags, Silhouettes& out);
     bool findHazards(const gpu::InstanceData& instance, std::uint32_t i, std::uint32_t l, std::uint32_t list,
@@ -236,14 +242,16 @@ void CpuSilhouettes::faceTriangles(const Geometry& geometry, std::uint32_t i, co
                 const gpu::CasterState& state = out.hostCasters[i];
                 const bool fail = out.parts || (state.countedByFail >> l & 1u);  // by parts: somewhere
                 summary.lightCaps += fail || (flags & TRIANGLE_HOLED) || state.missing;
-                summary.darkCaps += fail && light.w != 0.0f && instance.eyeInModel.w != 0.0f;
+                const bool apart = light.w != 0.0f && instance.eyeInModel.w != 0.0f;
+                summary.darkCaps += fail && (apart || endOfVolume(state, l) != 0);
                 const std::uint32_t list = listOf(instance, out.hostCasters[i], l, flags & TRIANGLE_EVEN);
                 const glm::vec3 n(nx[k], ny[k], nz[k]);
                 if (out.parts) {
                     gpu::SplitPart& part =
                         out.parts->host[out.parts->partOf(instance.placedTriangleBase + first + k, l)];
                     if (underEye[k]) part.hazards |= 1u << SPLIT_PASS;
-                    countEnds(instance.eyeInModel, light, side[k], corners[k], n, summary, part);
+                    const bool bothEnds = mayHoldFarEnds(instance, state, l);
+                    countEnds(instance.eyeInModel, bothEnds, light, side[k], corners[k], n, summary, part);
                     continue;
                 }
                 if (underEye[k] && list != LIST_FAIL) out.hostCasters[i].hazards |= 1u << l;
@@ -258,7 +266,7 @@ void CpuSilhouettes::countEye(const gpu::InstanceData& instance, const glm::vec4
                               std::uint32_t l, gpu::LightSummary& summary, gpu::CasterState& caster) const {
     glm::vec4 eye = instance.eyeInModel;
     if (list == LIST_FAIL) {
-        if (eye.w != 0.0f) return;
+        if (!mayHoldFarEnds(instance, caster, l)) return;
         eye = -eye;
     }
     bool undecided = false;
@@ -266,10 +274,10 @@ void CpuSilhouettes::countEye(const gpu::InstanceData& instance, const glm::vec4
     if (undecided) caster.hazards |= 1u << l;
 }
 
-void CpuSilhouettes::countEnds(const glm::vec4& eye, const glm::vec4& light, float lightSide,
+void CpuSilhouettes::countEnds(const glm::vec4& eye, bool bothEnds, const glm::vec4& light, float lightSide,
                                const std::array<glm::vec3, 3>& v, const glm::vec3& n, gpu::LightSummary& summary,
                                gpu::SplitPart& part) const {
-    for (std::uint32_t end = SPLIT_PASS; end <= (eye.w == 0.0f ? SPLIT_FAIL : SPLIT_PASS); ++end) {
+    for (std::uint32_t end = SPLIT_PASS; end <= (bothEnds ? SPLIT_FAIL : SPLIT_PASS); ++end) {
         bool undecided = false;
         const bool over = isOver(end == SPLIT_PASS ? eye : -eye, light, lightSide, v, n, undecided);
         part.eyeInside[end] += over;
@@ -336,10 +344,10 @@ bool CpuSilhouettes::findHazards(const gpu::InstanceData& instance, std::uint32_
                                  std::uint32_t list, const gpu::Edge& edge, std::uint32_t flags, const glm::vec4& light,
                                  const glm::vec3& a, const glm::vec3& b, Silhouettes& out) const {
     const glm::vec4 eye = instance.eyeInModel;
-    const bool orthographic = eye.w == 0.0f, fail = list == LIST_FAIL;
+    const bool fail = list == LIST_FAIL, farEnds = mayHoldFarEnds(instance, out.hostCasters[i], l);
     if (!out.parts) {
-        if ((fail || orthographic) && endsInQuad(fail ? eye : -eye, light, a, b)) return false;
-        if ((orthographic || !fail) && hazardous(fail ? -eye : eye, light, a, b)) {
+        if ((fail || eye.w == 0.0f) && endsInQuad(fail ? eye : -eye, light, a, b)) return false;
+        if ((!fail || farEnds) && hazardous(fail ? -eye : eye, light, a, b)) {
             out.hostCasters[i].hazards |= 1u << l;
         }
         return true;
@@ -347,7 +355,7 @@ bool CpuSilhouettes::findHazards(const gpu::InstanceData& instance, std::uint32_
     const std::uint32_t triangle = (flags & QUAD_OF_RIGHT ? edge.right : edge.left) & EDGE_TRIANGLE;
     gpu::SplitPart& part = out.parts->host[out.parts->partOf(instance.placedTriangleBase + triangle, l)];
     bool drawn = true;
-    for (std::uint32_t end = SPLIT_PASS; end <= (orthographic ? SPLIT_FAIL : SPLIT_PASS); ++end) {
+    for (std::uint32_t end = SPLIT_PASS; end <= (farEnds ? SPLIT_FAIL : SPLIT_PASS); ++end) {
         const glm::vec4 there = end == SPLIT_PASS ? eye : -eye;
         if (hazardous(there, light, a, b)) part.hazards |= 1u << end;
         if (endsInQuad(there, light, a, b)) drawn = false;

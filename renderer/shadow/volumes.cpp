@@ -79,11 +79,10 @@ const gpu::Program& VolumeRenderer::Programs::of(Into into, Rule rule) const {
     }
 }
 
-VolumeRenderer::Programs VolumeRenderer::programs(const SideShaders& shaders, bool edgeOn, int samples, bool finite) {
+VolumeRenderer::Programs VolumeRenderer::programs(const SideShaders& shaders, bool edgeOn, int samples) {
     const bool caps = std::string_view(shaders.vertex).find("cap") != std::string_view::npos;
     const auto variant = [&](const char* fragment, gpu::Program::Defines defines) {
         defines.insert(defines.end(), shaders.defines.begin(), shaders.defines.end());
-        if (finite) defines.push_back("FINITE 1");
         return gpu::Program(shaders.vertex, fragment, std::move(defines), shaders.geometry);
     };
     const auto held = [&](const char* fragment, gpu::Program::Defines defines) {
@@ -114,15 +113,17 @@ VolumeRenderer::VolumeRenderer(int samples, SilhouetteTechnique& technique)
       edgeOnCutSides_(programs({"near_side.vert"}, true, samples)),
       cutCaps_(programs({"near_cap.vert"}, false, samples)),
       edgeOnCutCaps_(programs({"near_cap.vert"}, true, samples)),
-      lightViews_(programs({"light_view.vert"}, false, samples)),
-      finiteSides_(programs(technique.sideShaders(), false, samples, true)),
-      edgeOnFiniteSides_(programs(technique.sideShaders(), true, samples, true)),
-      finiteCaps_(programs({"cap.vert"}, false, samples, true)) {}
+      lightViews_(programs({"light_view.vert"}, false, samples)) {}
 
 namespace {
 
 bool isEdgeOn(const VolumePart& part) {
     return part.kind == Kind::Cap ? part.what == CAP_EDGE_ON : part.what >= LIST_EDGE_ON;
+}
+
+void endVolumes(const VolumePart& part, const gpu::Program& program, const Silhouettes& silhouettes, std::uint32_t l) {
+    program.uniform(VOLUME_END, part.endMetres);
+    glProgramUniform4fv(program.name(), EXTENT_FACES, 6, &silhouettes.extents[l][0][0]);
 }
 
 /// While it lives, what is drawn may also be on the ledge.
@@ -148,10 +149,8 @@ const VolumeRenderer::Programs& VolumeRenderer::programsOf(const VolumePart& par
     if (part.kind == Kind::Cap) {
         if (cut) return edgeOn ? edgeOnCutCaps_ : cutCaps_;
         if (part.what == CAP_LIGHT_VIEW) return lightViews_;
-        if (part.endMetres > 0.0f && !edgeOn) return finiteCaps_;
         return edgeOn ? edgeOnCaps_ : caps_;
     }
-    if (part.endMetres > 0.0f) return edgeOn ? edgeOnFiniteSides_ : finiteSides_;
     if (cut) return edgeOn ? edgeOnCutSides_ : cutSides_;
     return edgeOn ? edgeOnSides_ : sides_;
 }
@@ -176,8 +175,6 @@ void VolumeRenderer::drawBy(Rule rule, const VolumePart& part, Into into, const 
     const gpu::Program& program = programsOf(part).of(into, part.rule);
     program.uniform(0, group.first + l);
     program.uniform(1, silhouettes.totalLights);
-    if (part.endMetres > 0.0f && !(part.kind == Kind::Cap && isEdgeOn(part)))
-        program.uniform(VOLUME_END, part.endMetres);
     if (into == Into::Counter) {
         program.uniform(COUNT_FRONT_VALUE, float(rule == Rule::Fail ? -part.crossings : part.crossings));
     }
@@ -203,7 +200,7 @@ void VolumeRenderer::drawBy(Rule rule, const VolumePart& part, Into into, const 
     if (cut) {
         drawCutSides(part, program, silhouettes, l);
     } else {
-        glProgramUniform4fv(program.name(), EXTENT_FACES, 6, &silhouettes.extents[l][0][0]);
+        endVolumes(part, program, silhouettes, l);
         ++gpu::activity().draws;
         technique_.drawSides({geometry, silhouettes, group, l, part.what}, program);
     }
@@ -224,6 +221,7 @@ void VolumeRenderer::drawCap(const VolumePart& part, const gpu::Program& program
     program.uniform(3, 1u << l);
     program.uniform(4, part.what);
     program.uniform(5, GLuint(part.rule == Rule::Fail));
+    if (part.what == CAP_DARK) endVolumes(part, program, silhouettes, l);
     // What lies in the plane of what is seen (the surface itself, a coincident face that is culled) hides nothing, so a
     // cap at its own depth must not be nearer by rounding. Before the near plane its depth is clamped: nearer than all.
     state.pushedBack = part.what == CAP_TRUE;

@@ -30,7 +30,7 @@ struct VolumePart {
     std::uint32_t what = LIST_HALVED;      // LIST_... (+ LIST_EDGE_ON) or CAP_...
     std::vector<std::uint32_t> instances;  // caps: those that need it, ascending
     int crossings = 1;                     // that a fragment stands for
-    float endMetres = 0.0f;                // where volumes end, from the light; 0: nowhere
+    float endMetres = 0.0f;                // where volumes end that no face of the light's extent ends; 0: nowhere
     bool inverts = false;                  // every crossing inverts the count's bits, of which only parity is left
 };
 
@@ -61,7 +61,7 @@ private:
         gpu::Program splitCounter, splitFill, splitTally;
         const gpu::Program& of(Into into, VolumePart::Rule rule) const;
     };
-    static Programs programs(const SideShaders& shaders, bool edgeOn, int samples, bool finite = false);
+    static Programs programs(const SideShaders& shaders, bool edgeOn, int samples);
     const Programs& programsOf(const VolumePart& part) const;
     void drawBy(VolumePart::Rule rule, const VolumePart& part, Into into, const Geometry& geometry,
                 const Silhouettes& silhouettes, const LightGroup& group, std::uint32_t l);
@@ -73,7 +73,6 @@ private:
     SilhouetteTechnique& technique_;
     Programs sides_, edgeOnSides_, caps_, edgeOnCaps_;
     Programs cutSides_, edgeOnCutSides_, cutCaps_, edgeOnCutCaps_, lightViews_;
-    Programs finiteSides_, edgeOnFiniteSides_, finiteCaps_;
     gpu::VertexArray noVertices_{"caps of volumes"};
     glm::vec4 hullColor_{1.0f};
 };

@@ -166,6 +166,18 @@ TEST_P(FillBy, GeometryIsThatOfABruteForceSearch) {
     EXPECT_GT(found, 1000u);
 }
 
+/// Whether the sphere around a box is farther from a spot's cone than its radius.
+template <class Box>
+bool isOutOfCone(const PlacedLight& light, const Box& box) {
+    if (light.light.type != LightType::Spot) return false;
+    const glm::dvec3 towards = 0.5 * (box.first + box.second) - light.position;
+    const double along = glm::dot(towards, light.direction), aside = glm::length(towards - along * light.direction);
+    const double angle = light.light.outerConeAngle;
+    const bool nearestIsTheTip = along * std::cos(angle) + aside * std::sin(angle) < 0.0;
+    const double distance = nearestIsTheTip ? glm::length(towards) : aside * std::cos(angle) - along * std::sin(angle);
+    return distance > 0.5 * glm::distance(box.first, box.second);
+}
+
 TEST(Fill, WhatIsOutOfALightsReachIsSkipped) {
     const Subject subject = ours("hall", 128, 96);
     const Counted counted(subject, {});
@@ -186,7 +198,7 @@ TEST(Fill, WhatIsOutOfALightsReachIsSkipped) {
         double beyond = 0;
         for (const auto& [instance, box] : boxes) {
             const glm::dvec3 place(oracle::placeOf(light)), nearest = glm::clamp(place, box.first, box.second);
-            beyond += glm::distance(place, nearest) > light.light.rangeMetres;
+            beyond += glm::distance(place, nearest) > light.light.rangeMetres || isOutOfCone(light, box);
         }
         all += beyond;
         const std::string& id = counted.pixels.lights[l].id;
@@ -199,7 +211,7 @@ TEST(Fill, WhatIsOutOfALightsReachIsSkipped) {
 
 TEST(Fill, SkippedCastersFillNothingAndEndedOnesLess) {
     const Subject subject = ours("courtyard", 128, 96);
-    const Counted skipped(subject, {}), plain(subject, {.skipOutOfView = false, .endSides = false});
+    const Counted skipped(subject, {}), plain(subject, {.skipOutOfView = false, .endVolumes = false});
     const auto fragmentsOf = [](const Counted& counted, const std::string& light, const std::string& caster) {
         const Json& casters = counted.json["lights"][light]["casters"];
         return casters.contains(caster) ? casters[caster]["values"].value("overdraw.fragments", 0.0) : 0.0;
@@ -280,7 +292,7 @@ TEST_P(Sums, CastersMakeTheLightAndLightsTheFrame) {
 TEST(Fill, EntersLessLeavesAndTheEyeConstantAreTheStencilsCounts) {
     for (const char* name : {"courtyard", "lantern", "knight"}) {
         const Subject subject = ours(name, 256, 192);
-        const Counted counted(subject), halved(subject, {.endSides = false});
+        const Counted counted(subject), halved(subject, {.endVolumes = false});
         for (const LightPlanes& light : counted.pixels.lights) {
             double sum = 0;
             for (const std::uint32_t count : light.counts) sum += count;

@@ -22,12 +22,14 @@ struct Outcome {
     }
 };
 
-Outcome outcomeOf(const TestScene& test, const std::string& count, WhenInexact whenInexact = WhenInexact::FallBack) {
+Outcome outcomeOf(const TestScene& test, const std::string& count, WhenInexact whenInexact = WhenInexact::FallBack,
+                  double extrusionMetres = 0.0) {
     FrameSettings settings;
     settings.width = kWidth;
     settings.height = kHeight;
     settings.count = count;
     settings.whenInexact = whenInexact;
+    settings.extrusionMetres = extrusionMetres;
     const Moment moment = evaluate(test.scene, {}, 0.0);
     FrameRenderer renderer(test.scene, moment, settings, context());
     FrameOutputs outputs;
@@ -123,10 +125,16 @@ TEST(FillOfNearCaps, CasesAreThoseOfASearchOverTriangles) {
 TEST(Counting, VolumesThatEndCollapseNearALightWhereInfiniteOnesDoNot) {
     const TestScene test = lightCloseToACard();
     EXPECT_EQ(outcomeOf(test, "z-fail").wrong, 0);
-    const Outcome forced = outcomeOf(test, "z-fail-finite", WhenInexact::Allow);
+    const double beyondAll = 30.0;  // more than from the light to any corner of the ground
+    const Outcome forced = outcomeOf(test, "z-fail-finite", WhenInexact::Allow, beyondAll);
     EXPECT_GT(forced.wrong, 1000);
     EXPECT_TRUE(forced.pixels.notes.empty());
-    EXPECT_EQ(outcomeOf(test, "z-fail-finite").wrong, 0);  // falls back
+    const Outcome fellBack = outcomeOf(test, "z-fail-finite", WhenInexact::FallBack, beyondAll);
+    EXPECT_EQ(fellBack.wrong, 0);
+    EXPECT_EQ(fellBack.value("lights.fellBack"), 1.0);
+    const Outcome clipped = outcomeOf(test, "z-fail-finite");
+    EXPECT_EQ(clipped.wrong, 0);
+    EXPECT_EQ(clipped.value("lights.fellBack"), 0.0);
 }
 
 TEST(Counting, VolumesThatEndBeyondWhatIsLitAreRight) {
@@ -139,9 +147,12 @@ TEST(Counting, VolumesThatEndBeyondWhatIsLitAreRight) {
         test.camera.perspective = perspective;
         test.camera.ymag = 4.0;
         test.camera.zfar = perspective ? 0.0 : 40.0;
-        const Outcome outcome = outcomeOf(test, "z-fail-finite");
-        EXPECT_EQ(outcome.wrong, 0);
-        EXPECT_EQ(outcome.value("lights.fellBack"), 0.0);
+        for (const double extrusion : {0.0, 40.0}) {
+            const Outcome outcome = outcomeOf(test, "z-fail-finite", WhenInexact::FallBack, extrusion);
+            EXPECT_EQ(outcome.wrong, 0);
+            EXPECT_EQ(outcome.value("lights.fellBack"), 0.0);
+            EXPECT_EQ(outcome.value("casters.ended", {.light = outcome.pixels.lights[0].id}) > 0.0, extrusion == 0.0);
+        }
     }
 }
 
@@ -195,13 +206,13 @@ TEST(Counting, CountersTellHowManyLightsFellBack) {
 TEST(Counting, WhatIsRefusedNamesFrameLightAndRemedy) {
     TestScene test = lightCloseToACard();
     try {
-        outcomeOf(test, "z-fail-finite", WhenInexact::Refuse);
+        outcomeOf(test, "z-fail-finite", WhenInexact::Refuse, 30.0);
         FAIL() << "was not refused";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::Input);
         const Moment moment = evaluate(test.scene, {}, 0.0);
         EXPECT_EQ(error.where(), "frame 7, light " + moment.lights[0].id);
-        EXPECT_THAT(error.message(), HasSubstr("so near the light"));
+        EXPECT_THAT(error.message(), HasSubstr("end before what it shades"));
         EXPECT_THAT(error.hint(), HasSubstr("shadow.whenInexact"));
     }
 }

@@ -171,7 +171,7 @@ TEST(MetamorphicScenes, M4CastersInsideAShadowChangeNoMask) {
         const std::vector<Corners> casters = castersOf(original, moment);
         How how, unmoved;
         how.counts = true;
-        unmoved.endSides = false;  // what is added may widen what the light shines on, and move the ends of sides
+        unmoved.endVolumes = false;  // what is added may widen what the light shines on, and move the ends of sides
         const FramePixels before = picture(original, unmoved), countsBefore = picture(original, how);
         for (std::size_t l = 0; l < moment.lights.size(); ++l) {
             SCOPED_TRACE(moment.lights[l].id);

@@ -67,7 +67,7 @@ TEST(Metamorphic, M6SkipsChangeNoBit) {
     for (const Subject& subject : subjects()) {
         SCOPED_TRACE(subject.name);
         How how;
-        how.halve = how.skipOutOfReach = how.skipOutOfView = how.endSides = false;
+        how.halve = how.skipOutOfReach = how.skipOutOfView = how.endVolumes = false;
         const FramePixels without = picture(subject, how);
         shadow += shadowed(subject, without);
         for (const bool halve : {false, true}) {

@@ -79,7 +79,7 @@ TEST_P(Sequence, PassAndFailAgree) {
     FrameSettings settings;
     settings.width = job.image.width;
     settings.height = job.image.height;
-    settings.endSides = false;  // which moves corners
+    settings.endVolumes = false;  // which moves corners
     const Moment first = momentOf(job.time.frames.frames().front());
     settings.count = "z-pass";
     FrameRenderer pass(composition.scene, first, settings, context());

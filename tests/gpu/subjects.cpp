@@ -27,7 +27,7 @@ FrameSettings Subject::settings(const How& how) const {
     settings.halveEvenComponents = how.halve;
     settings.skipOutOfReach = how.skipOutOfReach;
     settings.skipOutOfView = how.skipOutOfView;
-    settings.endSides = how.endSides;
+    settings.endVolumes = how.endVolumes;
     settings.shadows = how.shadows;
     return settings;
 }

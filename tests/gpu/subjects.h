@@ -18,7 +18,7 @@ using oracle::Corners;
 /// By which means to picture.
 struct How {
     Technique technique = {"compute", "z-pass"};
-    bool halve = true, skipOutOfReach = true, skipOutOfView = true, endSides = true, shadows = true, counts = false;
+    bool halve = true, skipOutOfReach = true, skipOutOfView = true, endVolumes = true, shadows = true, counts = false;
 };
 
 /// Something to picture.

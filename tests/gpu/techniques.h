@@ -18,14 +18,14 @@ inline const gpu::Context& context() {
 }
 
 inline FramePixels render(const TestScene& test, const std::string& count, const std::string& silhouette, bool halve,
-                          bool counts = false, bool endSides = true) {
+                          bool counts = false, bool endVolumes = true) {
     FrameSettings settings;
     settings.width = kWidth;
     settings.height = kHeight;
     settings.count = count;
     settings.silhouette = silhouette;
     settings.halveEvenComponents = halve;
-    settings.endSides = endSides;
+    settings.endVolumes = endVolumes;
     const Moment moment = evaluate(test.scene, {}, 0.0);
     FrameRenderer renderer(test.scene, moment, settings, context());
     FrameOutputs outputs;

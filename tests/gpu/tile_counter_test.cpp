@@ -83,7 +83,7 @@ TEST(TilesAndDevice, UpdateAsOftenByZPass) {
 TEST(TilesAndDevice, UpdateAsOftenByZFail) {
     std::size_t lights = 0;
     for (const Subject& subject : allSubjects()) {
-        const How how{.technique = {"compute", "z-fail"}, .skipOutOfReach = false};
+        const How how{.technique = {"compute", "z-fail"}, .skipOutOfReach = false, .endVolumes = false};
         const Both both(subject, how, Weights::TwoSided);
         for (std::size_t l = 0; l < both.moment.lights.size(); ++l) {
             if (!both.isOn(l)) continue;

@@ -26,6 +26,17 @@ public:
     ShadowLight light() {
         return number(0, 1) < 0.3 ? ShadowLight(glm::normalize(point(1)), 0) : ShadowLight(point(8), 1);
     }
+    /// Of a light at a place: some with a range, some with a cone, some with both.
+    LightReach reach(const ShadowLight& light) {
+        LightReach reach{light};
+        if (light.w == 0.0) return reach;
+        if (number(0, 1) < 0.3) reach.rangeMetres = number(1, 12);
+        if (number(0, 1) < 0.4) {
+            reach.axis = glm::normalize(point(1));
+            reach.coneAngle = number(0.01, 0.5 * std::numbers::pi);
+        }
+        return reach;
+    }
     Eye eye() {
         PlacedCamera camera;
         camera.camera.perspective = number(0, 1) < 0.7;
@@ -43,20 +54,29 @@ private:
     std::mt19937 random_;
 };
 
+bool isReached(const glm::dvec3& p, const LightReach& reach) {
+    if (reach.light.w == 0.0) return true;
+    const glm::dvec3 towards = p - glm::dvec3(reach.light);
+    const double distance = glm::length(towards);
+    return (reach.rangeMetres == 0.0 || distance <= reach.rangeMetres) &&
+           (reach.coneAngle > 3.0 || glm::dot(towards, reach.axis) >= distance * std::cos(reach.coneAngle));
+}
+
 TEST(LightExtent, NoViewRayToAReceiverMeetsWhatLiesBehindAnEnd) {
     Draw draw(3);
-    int ended = 0, ranged = 0;
+    int ended = 0, ranged = 0, spots = 0;
     for (int scene = 0; scene < 3000; ++scene) {
         const std::array<Geometry::Bounds, 3> boxes{draw.box(5), draw.box(5), draw.box(5)};
         const ShadowLight light = draw.light();
         const Eye eye = draw.eye();
-        const double range = light.w != 0.0 && draw.number(0, 1) < 0.3 ? draw.number(1, 12) : 0.0;
-        const LightExtent extent(boxes, light, range, eye);
-        if (outOfReach(boxes[0], glm::dvec3(light), range)) continue;
+        const LightReach reach = draw.reach(light);
+        const LightExtent extent(boxes, reach, eye);
+        if (outOfReach(boxes[0], reach)) continue;
         const std::uint32_t end = extent.endOf(cornersOf(boxes[0]));
         if (end == 0) continue;
         ++ended;
-        ranged += range > 0.0;
+        ranged += reach.rangeMetres > 0.0;
+        spots += reach.coneAngle < std::numbers::pi;
         const glm::vec4 face = extent.facesInView(eye)[end - 1];
         const auto behind = [&](const glm::dvec3& p) {
             return glm::dot(glm::dvec3(face), glm::dvec3(eye.viewFromWorld * glm::dvec4(p, 1.0))) - double(face.w);
@@ -70,7 +90,7 @@ TEST(LightExtent, NoViewRayToAReceiverMeetsWhatLiesBehindAnEnd) {
         // Nothing in range, and no view ray to it, lies behind.
         for (int i = 0; i < 24; ++i) {
             const glm::dvec3 receiver = draw.in(boxes[std::size_t(i) % 3]);
-            if (range > 0.0 && glm::distance(receiver, glm::dvec3(light)) > range) continue;
+            if (!isReached(receiver, reach)) continue;
             const glm::dvec3 from =
                 eye.perspective ? eye.position() : receiver + draw.number(0, 50) * glm::dvec3(eye.point());
             EXPECT_LT(behind(glm::mix(from, receiver, draw.number(0, 1))), 0.0);
@@ -78,6 +98,26 @@ TEST(LightExtent, NoViewRayToAReceiverMeetsWhatLiesBehindAnEnd) {
     }
     EXPECT_GT(ended, 500);
     EXPECT_GT(ranged, 50);
+    EXPECT_GT(spots, 50);
+}
+
+TEST(OutOfReach, NoPointOfTheBoxIsReached) {
+    Draw draw(7);
+    int out = 0, outOfCone = 0;
+    for (int scene = 0; scene < 3000; ++scene) {
+        const Geometry::Bounds box = draw.box(5);
+        const LightReach reach = draw.reach(draw.light());
+        if (!outOfReach(box, reach)) continue;
+        ++out;
+        outOfCone += !outOfReach(box, {.light = reach.light, .rangeMetres = reach.rangeMetres});
+        for (int i = 0; i < 64; ++i) EXPECT_FALSE(isReached(draw.in(box), reach));
+    }
+    EXPECT_GT(out, 300);
+    EXPECT_GT(outOfCone, 100);
+    const LightReach down{.light = {0, 6, 0, 1}, .axis = {0, -1, 0}, .coneAngle = 0.3};
+    EXPECT_TRUE(outOfReach({{-1, 8, -1}, {1, 9, 1}}, down)) << "behind a spot";
+    EXPECT_FALSE(outOfReach({{-1, 0, -1}, {1, 1, 1}}, down)) << "before it";
+    EXPECT_EQ(boxOf(down).high.y, 6.0) << "nothing above a spot that shines down";
 }
 
 TEST(LightExtent, TheShortestWayOutIsTaken) {
@@ -86,7 +126,7 @@ TEST(LightExtent, TheShortestWayOutIsTaken) {
     Eye eye;
     eye.worldFromView[3] = {0, 2, 9, 1};
     eye.viewFromWorld = glm::inverse(eye.worldFromView);
-    const LightExtent extent(boxes, {0, 6, 0, 1}, 0.0, eye);
+    const LightExtent extent(boxes, {{0, 6, 0, 1}}, eye);
     const glm::vec4 face = extent.facesInView(eye)[extent.endOf(cornersOf(caster)) - 1];
     EXPECT_EQ(glm::vec3(face), glm::vec3(0, -1, 0));
     EXPECT_EQ(extent.endOf(cornersOf({{-1, 5, -1}, {1, 7, 1}})), 0u) << "the light is inside: rays leave on all sides";
