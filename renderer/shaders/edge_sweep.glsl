@@ -55,7 +55,9 @@ bool findHazards(uint instance, uint l, uint list, Edge edge, uint flags, vec4 l
     for (uint end = SPLIT_PASS; end <= (mayHoldFarEnds(instance, l) ? SPLIT_FAIL : SPLIT_PASS); ++end) {
         vec4 there = end == SPLIT_PASS ? eye : -eye;
         if (hazardous(there, light, a, b)) atomicOr(parts[part].hazards, 1u << end);
-        if (endsInQuad(there, light, a, b)) drawn = false;
+        // With hazards of both ends it is counted by z-fail, to whose constant this quad belongs.
+        bool needed = end == SPLIT_FAIL && (casters[instance].lightMoved >> l & 1u) != 0u;
+        if (!needed && endsInQuad(there, light, a, b)) drawn = false;
     }
     return drawn;
 }

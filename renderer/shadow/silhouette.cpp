@@ -60,21 +60,21 @@ void moveAcrossView(const gpu::InstanceData& instance, glm::vec4& light) {
 
 /// The same for parts whose volumes hold both ends of the view rays, so that neither count of theirs is safe.
 /// @return whether any light was moved
-bool moveLightsOfUnsafeParts(const Geometry& geometry, const LightGroup& group, std::vector<std::uint32_t>& moved,
-                             Silhouettes& out) {
+bool moveLightsOfUnsafeParts(const Geometry& geometry, const LightGroup& group, Silhouettes& out) {
     constexpr std::uint32_t kBothEnds = 1u << SPLIT_PASS | 1u << SPLIT_FAIL;
     bool any = false;
     for (std::uint32_t i = 0; i < geometry.instanceCount(); ++i) {
         const gpu::InstanceData& instance = geometry.instances()[i];
+        std::uint32_t& moved = out.hostCasters[i].lightMoved;
         for (std::uint32_t l = 0; l < group.count; ++l) {
-            if (moved[i] >> l & 1u) continue;
+            if (moved >> l & 1u) continue;
             bool unsafe = false;
             for (std::uint32_t t = 0; t < instance.triangleCount && !unsafe; ++t) {
                 unsafe = out.parts->host[out.parts->partOf(instance.placedTriangleBase + t, l)].hazards == kBothEnds;
             }
             if (!unsafe) continue;
             moveAcrossView(instance, out.hostLightsInModel[i * out.totalLights + group.first + l]);
-            moved[i] |= 1u << l;
+            moved |= 1u << l;
             any = true;
         }
     }
@@ -97,11 +97,10 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
                      std::uint32_t countedByFail, const SweepOptions& options, Silhouettes& out) {
     for (gpu::CasterState& caster : out.hostCasters) {
         caster.countedByFail = countedByFail;
-        caster.hazards = caster.lightOn = 0;
+        caster.hazards = caster.lightOn = caster.lightMoved = 0;
     }
     // Bits of lights whose count was changed already, and of those known to lie on a caster.
     std::vector<std::uint32_t> changed(out.hostCasters.size()), lightOn(out.hostCasters.size());
-    std::vector<std::uint32_t> moved(out.hostCasters.size());  // bits of lights that were moved for it
     if (out.capacity == 0) out.capacity = 1024 + geometry.placedEdgeCount() / 16;
     for (;;) {
         if (technique.fillsLists()) {
@@ -116,18 +115,18 @@ void findSilhouettes(SilhouetteTechnique& technique, const Geometry& geometry, c
 
         const std::uint32_t needed = largestList(out.hostSummaries);
         bool again = technique.fillsLists() && needed > out.capacity;
-        bool lightsMoved = out.parts && moveLightsOfUnsafeParts(geometry, group, moved, out);
+        bool lightsMoved = out.parts && moveLightsOfUnsafeParts(geometry, group, out);
         if (again) out.capacity = needed + needed / 4;
         for (std::size_t i = 0; i < out.hostCasters.size(); ++i) {
             gpu::CasterState& caster = out.hostCasters[i];
             caster.hazards &= options.hazards;
-            if (const std::uint32_t found = caster.hazards & changed[i] & ~moved[i]; found != 0) {
+            if (const std::uint32_t found = caster.hazards & changed[i] & ~caster.lightMoved; found != 0) {
                 for (std::uint32_t l = 0; l < group.count; ++l) {
                     if (!(found >> l & 1u)) continue;
                     moveAcrossView(geometry.instances()[i],
                                    out.hostLightsInModel[i * out.totalLights + group.first + l]);
                 }
-                moved[i] |= found;
+                caster.lightMoved |= found;
                 lightsMoved = true;
             }
             const std::uint32_t found = caster.hazards & ~changed[i];

@@ -358,7 +358,8 @@ bool CpuSilhouettes::findHazards(const gpu::InstanceData& instance, std::uint32_
     for (std::uint32_t end = SPLIT_PASS; end <= (farEnds ? SPLIT_FAIL : SPLIT_PASS); ++end) {
         const glm::vec4 there = end == SPLIT_PASS ? eye : -eye;
         if (hazardous(there, light, a, b)) part.hazards |= 1u << end;
-        if (endsInQuad(there, light, a, b)) drawn = false;
+        const bool needed = end == SPLIT_FAIL && (out.hostCasters[i].lightMoved >> l & 1u);  // see edge_sweep.glsl
+        if (!needed && endsInQuad(there, light, a, b)) drawn = false;
     }
     return drawn;
 }
