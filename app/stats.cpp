@@ -10,12 +10,12 @@
 #include "exit_codes.h"
 #include "image/thumbnail.h"
 #include "job/frame_range.h"
+#include "job/glob.h"
 #include "job/nearest.h"
 #include "report/statistics_compare.h"
 #include "report/statistics_page.h"
 #include "report/statistics_plot.h"
 #include "report/statistics_table.h"
-#include "scene/node_paths.h"
 
 namespace umbrage {
 namespace {

@@ -10,6 +10,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
 find_package(embree 3 REQUIRED)
 pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmpxx)
+pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 # Debian's CMake files for these two fail: OpenImageIO's wants OpenCV's headers, OpenColorIO's lies outside the search path.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(OpenColorIO REQUIRED IMPORTED_TARGET OpenColorIO)

@@ -17,9 +17,11 @@
 #include "batch/write_queue.h"
 #include "error.h"
 #include "frame/settings.h"
+#include "golden/provenance.h"
 #include "gpu/context.h"
 #include "image/image.h"
 #include "image/thumbnail.h"
+#include "job/output_path.h"
 #include "report/statistics_page.h"
 #include "version.h"
 
@@ -86,6 +88,19 @@ void writeStatistics(const Job& job, const StatisticsFile& file, const Thumbnail
     if (!job.statistics.page.empty()) writeWhole(job.statistics.page, statisticsPage(file, thumbnails.pngs()));
 }
 
+/// Beside the pictures, for those who compare them later.
+void noteProvenance(const Job& job, const std::vector<int>& frames, const Provenance& from) {
+    const std::filesystem::path folder = outputFolder(job);
+    Manifest manifest{from, {}};
+    for (const int frame : frames) {
+        for (const FrameFile& file : frameFiles(job, frame)) {
+            manifest.images[file.path.lexically_relative(folder.empty() ? "." : folder).generic_string()] = {file.aov,
+                                                                                                             frame};
+        }
+    }
+    if (!manifest.images.empty()) updateManifest(folder, manifest);
+}
+
 }  // namespace
 
 BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver& observer,
@@ -146,9 +161,13 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     summary.renderSeconds = secondsSince(renderStart);
     summary.peakMemoryMebibytes = peakHostMemoryMebibytes();
     if (!summary.written.empty()) {
-        const std::vector<std::filesystem::path> files = frameFiles(job, summary.written.front());
-        if (!files.empty()) summary.example = files.front();
+        const std::vector<FrameFile> files = frameFiles(job, summary.written.front());
+        if (!files.empty()) summary.example = files.front().path;
     }
+    const std::string processor = context.info().software ? processorFlags() : "";
+    noteProvenance(job, summary.written,
+                   {context.info().renderer, context.info().version, processor, std::string(kVersion),
+                    fingerprintOf(job.shape, composition.scene.sources, display->cacheId())});
     if (job.statistics.isWanted()) {
         const StatisticsFile file = statistics.file(
             {{"sequence", job.file.filename().string()},
@@ -164,8 +183,7 @@ std::vector<std::filesystem::path> checkBatch(const Job& job, const BatchOptions
     const FrameRange range = framesOf(job, compose(job, gltfOptionsOf(options)));
     std::vector<std::filesystem::path> files;
     for (const int frame : range.frames()) {
-        const std::vector<std::filesystem::path> some = frameFiles(job, frame);
-        files.insert(files.end(), some.begin(), some.end());
+        for (const FrameFile& file : frameFiles(job, frame)) files.push_back(file.path);
     }
     return files;
 }

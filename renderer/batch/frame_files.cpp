@@ -176,15 +176,16 @@ FrameOutputs neededOutputs(const Job& job) {
     return outputs;
 }
 
-std::vector<std::filesystem::path> frameFiles(const Job& job, int frame) {
-    std::vector<std::filesystem::path> files;
+std::vector<FrameFile> frameFiles(const Job& job, int frame) {
+    std::vector<FrameFile> files;
+    const auto add = [&](const std::string& aov, const std::string& ext) {
+        files.push_back({outputPath(job, aov, frame, ext), aov});
+    };
     forEachAov(job, [&](const AovInfo& aov, const std::string& ext) {
-        if (!isLayer(job, ext)) files.push_back(outputPath(job, std::string(aov.name), frame, ext));
+        if (!isLayer(job, ext)) add(std::string(aov.name), ext);
     });
-    if (!job.output.layers.empty()) files.push_back(layersPath(job, frame));
-    for (const std::string& overlay : job.diagnostics.overlays) {
-        files.push_back(outputPath(job, overlayFileName(overlay), frame, "png"));
-    }
+    if (!job.output.layers.empty()) files.push_back({layersPath(job, frame), "layers"});
+    for (const std::string& overlay : job.diagnostics.overlays) add(overlayFileName(overlay), "png");
     return files;
 }
 

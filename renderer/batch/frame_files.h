@@ -18,8 +18,13 @@ namespace umbrage {
 /// What the job's files need read back.
 FrameOutputs neededOutputs(const Job& job);
 
+struct FrameFile {
+    std::filesystem::path path;
+    std::string aov;  // or overlay, as the name has it; "layers" of the file of all
+};
+
 /// The files of a frame, in the order they are written.
-std::vector<std::filesystem::path> frameFiles(const Job& job, int frame);
+std::vector<FrameFile> frameFiles(const Job& job, int frame);
 
 /// What only the EXR of an AOV holds, by the AOV's name.
 using AovMetadata = std::map<std::string, Metadata, std::less<>>;

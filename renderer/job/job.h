@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "job/frame_range.h"
+#include "job/golden_rules.h"
 
 namespace umbrage {
 
@@ -118,8 +119,15 @@ struct JobParts {
     std::vector<JobSplitPlane> ownSplitPlanes{};  // of some nodes' parts
 };
 
+/// golden: of the sequence file.
+struct JobGolden {
+    std::string path;  // folder; empty: none
+    GoldenRules rules;
+};
+
 struct Job {
     std::filesystem::path file;  // the sequence file, for messages; or the bare scene
+    std::string shape;           // what of it shapes the pictures, the same however it is written
     std::vector<GltfLayer> gltfLayers;
     std::vector<OverLayer> overLayers;
     std::vector<JobLight> lights;
@@ -181,6 +189,8 @@ struct Job {
 
         bool isWanted() const { return !path.empty() || !page.empty(); }
     } statistics;
+
+    JobGolden golden;
 };
 
 /// What the command line adds to a sequence file.

@@ -10,21 +10,6 @@
 namespace umbrage {
 namespace {
 
-template <class Entry, std::size_t N>
-std::vector<std::string> namesOf(const std::array<Entry, N>& table) {
-    std::vector<std::string> names;
-    for (const Entry& entry : table) names.emplace_back(entry.name);
-    return names;
-}
-
-template <class Entry, std::size_t N>
-std::string meaningsOf(const std::array<Entry, N>& table) {
-    std::string text;
-    for (const Entry& entry : table)
-        text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", entry.name, entry.meaning);
-    return text;
-}
-
 std::vector<std::string> orAuto(std::vector<std::string> names) {
     names.insert(names.begin(), "auto");
     return names;
@@ -360,6 +345,7 @@ Type<Job> sequenceType() {
             field<Job>("diagnostics", diagnosticsSettings(), &Job::diagnostics, "Overlays and profiling"),
             field<Job>("output", outputSettings(), &Job::output, "Files to write"),
             field<Job>("statistics", statisticsSettings(), &Job::statistics, "Numbers to write"),
+            field<Job>("golden", goldenSettings(), &Job::golden, "What the output is compared with").unset("none"),
         },
         checkJob);
 }

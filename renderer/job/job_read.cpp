@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From text to a Job: tree, overrides, table, then what needs more than one value (paths and output names).
+#include <map>
+
 #include "error.h"
 #include "job/job_fields.h"
 #include "job/output_path.h"
@@ -12,6 +14,42 @@ constexpr const char* kName = "the sequence";
 
 std::filesystem::path resolved(const std::filesystem::path& folder, const std::filesystem::path& path) {
     return (folder / path).lexically_normal();  // an absolute path replaces the folder
+}
+
+/// A tree as text, whatever its layout and order were.
+Json plain(const YamlNode& node) {
+    switch (node.kind) {
+        case YamlNode::Kind::Mapping: {
+            std::map<std::string, Json> sorted;
+            for (std::size_t i = 0; i < node.keys.size(); ++i) sorted[node.keys[i].scalar] = plain(node.items[i]);
+            return sorted;
+        }
+        case YamlNode::Kind::Sequence: {
+            Json list = Json::array();
+            for (const YamlNode& item : node.items) list.push_back(plain(item));
+            return list;
+        }
+        default:
+            if (const std::optional<double> number = numberOf(node)) return *number;
+            return node.scalar;
+    }
+}
+
+/// What shapes the pictures of the frames: not which frames, what else is written, and where.
+std::string shapeOf(const YamlNode& root) {
+    Json tree = plain(root);
+    for (const char* key : {"statistics", "golden"}) tree.erase(key);
+    if (tree.contains("time")) tree["time"].erase("frames");
+    if (tree.contains("output")) {
+        for (const char* key : {"path", "layers", "aovs"}) tree["output"].erase(key);
+    }
+    if (tree.contains("scene")) {  // what is in the files counts, not where they are
+        for (Json& layer : tree["scene"]) {
+            if (layer.contains("gltf"))
+                layer["gltf"] = std::filesystem::path(layer["gltf"].get<std::string>()).filename();
+        }
+    }
+    return tree.dump();
 }
 
 // Where a key of output: stands, or what is nearest to it.
@@ -32,6 +70,7 @@ Job jobFromTree(YamlNode root, const std::filesystem::path& file, const std::fil
 
     Job job = sequenceType().read(root, kName);
     job.file = file;
+    job.shape = shapeOf(root);
     job.time.wholeAnimation = overrides.wholeAnimation;
     for (GltfLayer& layer : job.gltfLayers) layer.file.value = resolved(folder, layer.file.value);
     checkOutputPath(job, outputPlace(root, "path"));
@@ -41,7 +80,9 @@ Job jobFromTree(YamlNode root, const std::filesystem::path& file, const std::fil
     for (std::string* path : {&job.statistics.path, &job.statistics.page}) {
         if (!path->empty()) *path = resolved(folder, *path).string();
     }
-    if (!job.color.config.empty()) job.color.config = resolved(folder, job.color.config).string();
+    for (std::string* path : {&job.color.config, &job.golden.path}) {
+        if (!path->empty()) *path = resolved(folder, *path).string();
+    }
     return job;
 }
 

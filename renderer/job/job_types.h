@@ -32,6 +32,23 @@ inline Type<KeyInterpolation> interpolation() {
     return choiceOf<KeyInterpolation>({{"linear", KeyInterpolation::Linear}, {"step", KeyInterpolation::Step}});
 }
 
+/// Of a table of names.
+template <class Entry, std::size_t N>
+std::vector<std::string> namesOf(const std::array<Entry, N>& table) {
+    std::vector<std::string> names;
+    for (const Entry& entry : table) names.emplace_back(entry.name);
+    return names;
+}
+
+/// "name (meaning); ..."
+template <class Entry, std::size_t N>
+std::string meaningsOf(const std::array<Entry, N>& table) {
+    std::string text;
+    for (const Entry& entry : table)
+        text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", entry.name, entry.meaning);
+    return text;
+}
+
 /// Type<T> for a member that may stay empty.
 template <class T>
 Type<std::optional<T>> opinion(const Type<T>& type) {
@@ -43,6 +60,9 @@ Type<std::optional<T>> opinion(const Type<T>& type) {
 using Overs = std::vector<OverLayer>;
 using Layer = std::variant<GltfLayer, Overs>;
 Type<std::vector<Layer>> layers();
+
+// job_golden.cpp
+Type<JobGolden> goldenSettings();
 
 // job_lights.cpp
 Type<std::vector<JobLight>> extraLights();

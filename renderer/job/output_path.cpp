@@ -83,12 +83,17 @@ void requireFrame(const Job& job, const std::vector<Piece>& pieces, const std::s
             "add {frame:04}");
 }
 
-/// The template's folder replaced by `folder`, as far as it is the same for all images.
-std::string redirected(const std::string& path, const std::filesystem::path& folder, const char* where) {
+/// Length of the template's folder, as far as it is the same for all images.
+std::size_t commonFolder(const std::string& path, const char* where) {
     std::size_t kept = path.rfind('/') + 1;  // 0 without one
     for (const Piece& piece : piecesOf(path, where))
         if (piece.isField && piece.text != "scene") kept = std::min(kept, path.rfind('/', piece.begin) + 1);
-    return outputTemplateIn(folder, path.substr(kept));
+    return kept;
+}
+
+/// That folder replaced by `folder`.
+std::string redirected(const std::string& path, const std::filesystem::path& folder, const char* where) {
+    return outputTemplateIn(folder, path.substr(commonFolder(path, where)));
 }
 
 std::filesystem::path filled(const std::string& path, const char* where, const Job& job, const std::string& aov,
@@ -117,6 +122,20 @@ std::filesystem::path outputPath(const Job& job, const std::string& aov, int fra
 
 std::filesystem::path layersPath(const Job& job, int frame) {
     return filled(job.output.layers, "output.layers", job, "", frame, "");
+}
+
+std::filesystem::path outputFolder(const Job& job) {
+    const auto folderOf = [&](const std::string& path, const char* where) {
+        return filled(path.substr(0, commonFolder(path, where)), where, job, "", 0, "");
+    };
+    const std::filesystem::path folder = folderOf(job.output.path, "output.path");
+    if (job.output.layers.empty()) return folder;
+    const std::filesystem::path other = folderOf(job.output.layers, "output.layers");
+    std::filesystem::path common;
+    for (auto a = folder.begin(), b = other.begin(); a != folder.end() && b != other.end() && *a == *b; ++a, ++b) {
+        common /= *a;
+    }
+    return common;
 }
 
 void checkOutputPath(const Job& job, const std::string& where) {

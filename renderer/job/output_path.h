@@ -18,6 +18,9 @@ std::filesystem::path outputPath(const Job& job, const std::string& aov, int fra
 /// The file that holds all EXR AOVs of a frame; job.output.layers is its template.
 std::filesystem::path layersPath(const Job& job, int frame);
 
+/// The folder that all images of the job lie in or below.
+std::filesystem::path outputFolder(const Job& job);
+
 /// Throws Error(Input) at `where` if the template is malformed or would give two images of the job the same name.
 void checkOutputPath(const Job& job, const std::string& where);
 /// The same of job.output.layers, where there is one.

@@ -92,6 +92,7 @@ void appendScene(Scene& scene, Scene layer, Index parent) {
     moveInto(scene.cameras, layer.cameras);
     moveInto(scene.animations, layer.animations);
     moveInto(scene.notes, layer.notes);
+    moveInto(scene.sources, layer.sources);
     mergeSorted(scene.extensionsUsed, layer.extensionsUsed);
     mergeSorted(scene.extensionsIgnored, layer.extensionsIgnored);
 }

@@ -39,6 +39,9 @@ public:
     /// The sum of the sizes of all different files resolved so far.
     std::uint64_t fileBytes() const { return fileBytes_; }
 
+    /// Those files, by name.
+    const std::set<std::filesystem::path>& files() const { return files_; }
+
 private:
     GltfSource resolveFile(const JsonView& uri);
 

@@ -39,7 +39,10 @@ Scene loadGltf(const std::filesystem::path& file, const GltfOptions& options) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     auto bytes = readRegularFile(file);
     GltfFiles files(folder, options.allowExternalFiles);
-    return load(std::move(bytes), file.string(), files, options);
+    Scene scene = load(std::move(bytes), file.string(), files, options);
+    scene.sources.push_back(file);
+    scene.sources.insert(scene.sources.end(), files.files().begin(), files.files().end());
+    return scene;
 }
 
 Scene loadGltf(std::span<const std::byte> bytes, std::string_view name, const GltfOptions& options) {

@@ -6,13 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "job/glob.h"
 #include "job/job.h"
 #include "scene/scene.h"
 
 namespace umbrage {
-
-/// '*' is any text and '?' any character within one part of a path, '**' any text at all; the rest is literal.
-bool matchesGlob(std::string_view glob, std::string_view path);
 
 /// The node of that path, or kNone.
 Index findNode(const Scene& scene, std::string_view path);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
@@ -212,6 +213,7 @@ struct Scene {
     // For people:
     std::vector<std::string> extensionsUsed, extensionsIgnored;
     std::vector<std::string> notes;  // what was odd or ignored, one line each
+    std::vector<std::filesystem::path> sources;  // the files it was read from
 };
 
 }  // namespace umbrage
