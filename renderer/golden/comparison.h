@@ -106,9 +106,9 @@ struct Provenance {
 struct Comparison {
     std::string golden, output;  // folders, or files
     std::optional<Provenance> goldenFrom{}, outputFrom{};
-    bool foreignDevice = false;          // allowed, and judged by the tolerance of that pair
+    bool foreignDevice = false;  // allowed, and judged by the tolerance of that pair
     std::vector<std::string> notes{};
-    std::vector<ImageResult> images{};   // by name
+    std::vector<ImageResult> images{};  // by name
     std::vector<StatisticsResult> statistics{};
     std::string renderCommand, acceptCommand;  // to make the output again, and to make it the golden
 
