@@ -7,6 +7,8 @@
 namespace umbrage {
 
 int runRender(const RenderOptions& options, bool quiet);
+int runCompare(const CompareCommandOptions& options, bool quiet);
+int runAccept(const AcceptCommandOptions& options, bool quiet);
 int runVerify(const VerifyCommandOptions& options, bool quiet);
 int runBench(const BenchCommandOptions& options, bool quiet);
 int runInspect(const InspectOptions& options);

@@ -15,6 +15,8 @@ int run(int argc, char** argv) {
     const std::optional<Options> options = parseOptions(argc, argv, exitCode);
     if (!options) return exitCode;
     if (options->render) return runRender(*options->render, options->quiet);
+    if (options->compare) return runCompare(*options->compare, options->quiet);
+    if (options->accept) return runAccept(*options->accept, options->quiet);
     if (options->verify) return runVerify(*options->verify, options->quiet);
     if (options->bench) return runBench(*options->bench, options->quiet);
     if (options->inspect) return runInspect(*options->inspect);

@@ -20,12 +20,14 @@ namespace umbrage {
 namespace {
 
 constexpr const char* kFooter =
-    "Exit codes: 0 ok; 1 frames failed or are wrong; 2 usage; 3 bad sequence or scene; 4 no OpenGL; 5 output could not "
+    "Exit codes: 0 ok; 1 frames failed, differ or are wrong; 2 usage; 3 bad sequence or scene; 4 no OpenGL; 5 output "
+    "could not "
     "be written;\n"
     "130/143 interrupted. Results go to stdout, everything else to stderr.\n"
     "Examples:\n"
     "  umbrage render configs/courtyard.yaml --frames 1-48x2 --out /tmp/frames\n"
     "  umbrage render scene.glb --size 640x480 --set shadow.count=z-fail\n"
+    "  umbrage compare tests/golden/courtyard out/courtyard --html differences.html\n"
     "  umbrage verify configs/stress/*.yaml --techniques all --json stress.json\n"
     "  umbrage stats out/statistics.json --compare before.json\n"
     "  umbrage bench configs/bench/laine.yaml --json laine.json\n"
@@ -58,8 +60,8 @@ void addRun(CLI::App& app, std::string& device, ProgressKind& progress, bool& al
     app.add_flag("--allow-external-files", allowExternalFiles, "let scenes name files outside their folder");
 }
 
-void addRender(CLI::App& app, RenderOptions& o) {
-    app.add_option("input", o.input, "sequence (.yaml) or scene (.gltf, .glb)")->required();
+/// How a sequence is rendered, but for which.
+void addRendering(CLI::App& app, RenderOptions& o) {
     addJob(app, o.job);
     app.add_option("--out", o.out, "folder for the files instead of the sequence's");
     app.add_option("--ocio", o.ocio, "OpenColorIO configuration; wins over the sequence's and $OCIO");
@@ -68,12 +70,48 @@ void addRender(CLI::App& app, RenderOptions& o) {
         ->check(CLI::Range(0, 256))
         ->option_text("INT [0]");
     addRun(app, o.device, o.progress, o.allowExternalFiles);
+}
+
+void addRender(CLI::App& app, RenderOptions& o) {
+    app.add_option("input", o.input, "sequence (.yaml) or scene (.gltf, .glb)")->required();
+    addRendering(app, o);
     std::string aovs;
     for (const AovInfo& aov : kAovs) aovs += fmt::format(" {}", aov.name);
     app.footer("AOVs, for --set output.aovs.NAME=exr (docs/aovs.md):" + aovs);
     app.add_flag("--only-diagnostics", o.onlyDiagnostics,
                  "shade nothing: overlays, data AOVs and statistics alone (diagnostics.only)");
     app.add_flag("--dry-run", o.dryRun, "check everything, print the files that would be written, render nothing");
+}
+
+void addGoldenInputs(CLI::App& app, std::vector<std::string>& inputs) {
+    app.add_option(
+           "inputs", inputs,
+           "GOLDEN OUT: two folders or two pictures; or a sequence (.yaml), which is rendered and compared with "
+           "the goldens it names (golden.path)")
+        ->required()
+        ->expected(1, 2);
+}
+
+void addCompare(CLI::App& app, CompareCommandOptions& o) {
+    addGoldenInputs(app, o.inputs);
+    app.add_option("--rules", o.rules, "file of rules (.yaml, docs/compare.md) instead of the sequence's");
+    app.add_flag("--other-device", o.otherDevice,
+                 "compare with goldens of another device, too, by the rules of that pair (golden.devices)");
+    app.add_flag("--all", o.all, "a line for each picture, not only for those that differ");
+    app.add_option("--json", o.json, "file for programs, of which all other reports are views");
+    app.add_option("--junit", o.junit, "JUnit XML for CI");
+    app.add_option("--csv", o.csv, "a line for each picture");
+    app.add_option("--html", o.html, "a page to look at, in one file that opens offline");
+    app.add_option("--markdown", o.markdown, "a summary for documents and CI pages");
+    app.add_flag("--annotations", o.annotations, "print ::error and ::warning lines, as GitHub shows them");
+    addRendering(app, o.render);
+}
+
+void addAccept(CLI::App& app, AcceptCommandOptions& o) {
+    addGoldenInputs(app, o.inputs);
+    app.add_flag("--yes", o.yes, "do it without asking");
+    app.add_flag("--force-device", o.force, "replace goldens of another device");
+    addRendering(app, o.render);
 }
 
 void addVerify(CLI::App& app, VerifyCommandOptions& o) {
@@ -208,6 +246,8 @@ std::string usageMessage(const CLI::App* app, const CLI::Error& error) {
 std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     Options options;
     RenderOptions render;
+    CompareCommandOptions compare;
+    AcceptCommandOptions accept;
     VerifyCommandOptions verify;
     BenchCommandOptions bench;
     InspectOptions inspect;
@@ -222,6 +262,10 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     app.failure_message(usageMessage);
     CLI::App* renderCommand = app.add_subcommand("render", "render a sequence or a scene");
     addRender(*renderCommand, render);
+    CLI::App* compareCommand = app.add_subcommand("compare", "compare output with golden frames");
+    addCompare(*compareCommand, compare);
+    CLI::App* acceptCommand = app.add_subcommand("accept", "make output the golden frames");
+    addAccept(*acceptCommand, accept);
     CLI::App* verifyCommand = app.add_subcommand("verify", "judge shadows against the exact answer");
     addVerify(*verifyCommand, verify);
     CLI::App* benchCommand = app.add_subcommand("bench", "measure what a bench file asks for");
@@ -245,6 +289,11 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
         return std::nullopt;
     }
     if (*renderCommand) options.render = render;
+    if (*compareCommand) {
+        compare.commandLine = commandLine(argc, argv);
+        options.compare = compare;
+    }
+    if (*acceptCommand) options.accept = accept;
     if (*verifyCommand) {
         verify.commandLine = commandLine(argc, argv);
         options.verify = verify;

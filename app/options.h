@@ -26,6 +26,20 @@ struct RenderOptions {
     ProgressKind progress = ProgressKind::Auto;
 };
 
+struct CompareCommandOptions {
+    std::vector<std::string> inputs;  // GOLDEN OUT, or a sequence
+    RenderOptions render;             // of the sequence, but for its input
+    std::string rules, json, junit, csv, html, markdown;
+    bool annotations = false, otherDevice = false, all = false;
+    std::string commandLine;  // as typed, for reports
+};
+
+struct AcceptCommandOptions {
+    std::vector<std::string> inputs;  // as CompareCommandOptions
+    RenderOptions render;
+    bool yes = false, force = false;
+};
+
 enum class Pictures { All, Failed, None };
 
 struct VerifyCommandOptions {
@@ -70,6 +84,8 @@ struct SchemaOptions {
 
 struct Options {
     std::optional<RenderOptions> render;
+    std::optional<CompareCommandOptions> compare;
+    std::optional<AcceptCommandOptions> accept;
     std::optional<VerifyCommandOptions> verify;
     std::optional<BenchCommandOptions> bench;
     std::optional<InspectOptions> inspect;

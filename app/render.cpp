@@ -9,25 +9,11 @@
 #include "interrupt.h"
 #include "job/output_path.h"
 #include "job_input.h"
-#include "progress.h"
+#include "render_job.h"
 #include "say.h"
 
 namespace umbrage {
 namespace {
-
-class Watch : public BatchObserver {
-public:
-    explicit Watch(Progress& progress) : progress_(progress) {}
-
-    void note(const std::string& text) override { progress_.note(text); }
-    void started(std::size_t frameCount) override { progress_.started(frameCount); }
-    void frameWritten(int frame, std::size_t, std::size_t) override {
-        progress_.advanced(fmt::format("frame {} written", frame));
-    }
-
-private:
-    Progress& progress_;
-};
 
 void printSummary(const BatchSummary& summary) {
     const std::filesystem::path folder = summary.example.parent_path().lexically_normal();
@@ -44,22 +30,12 @@ int runRender(const RenderOptions& options, bool quiet) {
     Job job = jobOf(options.input, options.job);
     job.diagnostics.only = job.diagnostics.only || options.onlyDiagnostics;
     if (!options.out.empty()) redirectOutput(job, options.out);
-    BatchOptions batch;
-    batch.device = options.device;
-    batch.ocioConfig = options.ocio;
-    batch.allowExternalFiles = options.allowExternalFiles;
-    batch.workers = options.workers;
     if (options.dryRun) {
-        for (const std::filesystem::path& file : checkBatch(job, batch)) fmt::print("{}\n", file.string());
+        for (const std::filesystem::path& file : checkBatch(job, batchOptionsOf(options)))
+            fmt::print("{}\n", file.string());
         return kOk;
     }
-    const std::atomic<bool>& interrupted = watchForInterrupts();
-    BatchSummary summary;
-    {
-        Progress progress(options.progress, quiet);
-        Watch watch(progress);
-        summary = runBatch(job, batch, watch, interrupted);
-    }
+    const BatchSummary summary = renderWatched(job, options, quiet);
     const std::size_t done = summary.written.size();
     if (done > 0 && !quiet) printSummary(summary);
     if (summary.interrupted) {

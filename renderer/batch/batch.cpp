@@ -88,17 +88,21 @@ void writeStatistics(const Job& job, const StatisticsFile& file, const Thumbnail
     if (!job.statistics.page.empty()) writeWhole(job.statistics.page, statisticsPage(file, thumbnails.pngs()));
 }
 
-/// Beside the pictures, for those who compare them later.
-void noteProvenance(const Job& job, const std::vector<int>& frames, const Provenance& from) {
+std::map<std::string, ManifestImage> imagesOf(const Job& job, const std::vector<int>& frames) {
     const std::filesystem::path folder = outputFolder(job);
-    Manifest manifest{from, {}};
+    std::map<std::string, ManifestImage> images;
     for (const int frame : frames) {
         for (const FrameFile& file : frameFiles(job, frame)) {
-            manifest.images[file.path.lexically_relative(folder.empty() ? "." : folder).generic_string()] = {file.aov,
-                                                                                                             frame};
+            images[file.path.lexically_relative(folder.empty() ? "." : folder).generic_string()] = {file.aov, frame};
         }
     }
-    if (!manifest.images.empty()) updateManifest(folder, manifest);
+    return images;
+}
+
+/// Beside the pictures, for those who compare them later.
+void noteProvenance(const Job& job, const std::vector<int>& frames, const Provenance& from) {
+    const Manifest manifest{from, imagesOf(job, frames)};
+    if (!manifest.images.empty()) updateManifest(outputFolder(job), manifest);
 }
 
 }  // namespace
@@ -177,6 +181,10 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
         writeStatistics(job, file, thumbnails);
     }
     return summary;
+}
+
+std::map<std::string, ManifestImage> imagesOf(const Job& job, const BatchOptions& options) {
+    return imagesOf(job, framesOf(job, compose(job, gltfOptionsOf(options))).frames());
 }
 
 std::vector<std::filesystem::path> checkBatch(const Job& job, const BatchOptions& options) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diagnostics/statistics.h"
+#include "golden/provenance.h"
 #include "job/job.h"
 
 namespace umbrage {
@@ -43,6 +44,9 @@ struct BatchSummary {
 /// @throws Error; frames written by then are whole
 BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver& observer,
                       const std::atomic<bool>& interrupted);
+
+/// The pictures that the job makes, by name from outputFolder() on. Loads and composes. @throws Error
+std::map<std::string, ManifestImage> imagesOf(const Job& job, const BatchOptions& options);
 
 /// Loads and composes what the job names, without a device. @throws Error
 /// @return the files that runBatch() would write

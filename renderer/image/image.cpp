@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "error.h"
@@ -34,6 +35,16 @@ const Codec& openCodecModule(std::span<const std::filesystem::path> candidates) 
         return *factory();
     }
     throw Error(ErrorKind::Device, "", "the image codec is missing; looked for " + lookedFor, kHint);
+}
+
+const StoredChannel* StoredImage::channel(std::string_view name) const {
+    const auto found = std::find_if(channels.begin(), channels.end(), [&](const auto& c) { return c.name == name; });
+    return found == channels.end() ? nullptr : &*found;
+}
+
+const std::vector<float>* StoredImage::floats(std::string_view name) const {
+    const StoredChannel* found = channel(name);
+    return found ? std::get_if<std::vector<float>>(&found->values) : nullptr;
 }
 
 const Codec& codec() {

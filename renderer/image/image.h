@@ -45,6 +45,35 @@ struct ImageFile {
     Metadata metadata;  // no time, host or frame number: equal pictures are equal files
 };
 
+/// A rectangle of pixels; (x, y) is its upper left one.
+struct PixelWindow {
+    int x = 0, y = 0, width = 0, height = 0;
+
+    bool operator==(const PixelWindow&) const = default;
+};
+
+/// One named channel as a file stores it: `width` x `height` values, rows from the top. PNG's bytes come in [0, 1];
+/// UInt32 comes as std::uint32_t, all other types as float, in which each of their values is exact.
+struct StoredChannel {
+    std::string name;  // PNG: Y, Y A, R G B or R G B A
+    PixelType type = PixelType::Half;
+    std::variant<std::vector<float>, std::vector<std::uint32_t>> values;
+};
+
+/// A picture as a file holds it. Channels are by name: an EXR's come back in another order than they were written.
+struct StoredImage {
+    PixelWindow data, display;            // of the pixels there are, and of the picture they are a part of
+    bool displayEncoded = false;          // PNG: values are for a display; EXR: they are linear, or data
+    std::vector<StoredChannel> channels;  // by name, in alphabetical order
+    Metadata metadata;                    // texts, integers and numbers; by name, in alphabetical order
+
+    std::size_t pixelCount() const { return std::size_t(data.width) * data.height; }
+    /// @return  null where there is none of that name
+    const StoredChannel* channel(std::string_view name) const;
+    /// The same, of the float values; null too for integers.
+    const std::vector<float>* floats(std::string_view name) const;
+};
+
 /// Colour management of one display and view: linear Rec.709 in, display values out, clamped to [0, 1].
 class DisplayTransform {
 public:
@@ -73,6 +102,17 @@ public:
     /// they are (a NaN or infinity is an Error for PNG). The file appears whole under its name or not at all.
     /// @throws Error(Output)
     virtual void write(const std::filesystem::path& file, const ImageFile& image) const = 0;
+
+    /// A PNG or a single EXR with flat scanlines or tiles. The kind follows the file's first bytes.
+    /// @throws Error(Input) that names `file`: missing, another kind, damaged, cut short, or of a size out of bounds
+    virtual StoredImage read(const std::filesystem::path& file) const = 0;
+
+    /// Yee's perceptual comparison as OpenImageIO computes it (ImageBufAlgo::compare_Yee), at its defaults: a display
+    /// of 100 cd/m2 that fills 45 degrees.
+    /// @param golden, output  width x height interleaved linear Rec.709 triples, finite
+    /// @return  pixels that fail
+    virtual std::size_t yeeFailures(int width, int height, std::span<const float> golden,
+                                    std::span<const float> output) const = 0;
 
     /// What write() would put into a .png, for those who put it elsewhere. @throws Error(Output)
     virtual std::string png(const ImageFile& image) const = 0;
