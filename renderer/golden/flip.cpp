@@ -105,10 +105,6 @@ float errorOf(const Percept& a, const Percept& b, std::size_t i) {
     return std::pow(color, 1.0f - std::sqrt(std::min(1.0f, feature / std::sqrt(2.0f))));
 }
 
-float luminanceOf(const glm::vec3& linear) {
-    return (flip::ycxczOf(linear).x + 16.0f) / 116.0f;
-}
-
 /// Narkowicz's fit to ACES with its exposure of 0.6 taken in: (a x^2 + b x) / (c x^2 + d x + e).
 constexpr double kToneA = 0.36 * 2.51, kToneB = 0.6 * 0.03, kToneC = 0.36 * 2.43, kToneD = 0.6 * 0.59, kToneE = 0.14;
 
@@ -144,7 +140,7 @@ FlipMap flipMap(const LinearPicture& reference, const LinearPicture& test, doubl
 ExposureRange exposuresOf(const LinearPicture& reference) {
     std::vector<float> luminances;
     for (std::size_t i = 0; i < reference.rgb.size() / 3; ++i) {
-        const float luminance = luminanceOf(colorAt(reference, i));
+        const float luminance = flip::luminanceOf(colorAt(reference, i));
         if (luminance > 0.0f) luminances.push_back(luminance);
     }
     if (luminances.empty()) return {};

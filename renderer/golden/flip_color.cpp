@@ -49,6 +49,10 @@ glm::vec3 linearOf(const glm::vec3& ycxcz) {
     return kLinear * glm::vec3(y + ycxcz.y / 500.0f, y, y - ycxcz.z / 200.0f);
 }
 
+float luminanceOf(const glm::vec3& linear) {
+    return (kXyz * linear).y;
+}
+
 glm::vec3 huntLabOf(const glm::vec3& linear) {
     const glm::vec3 xyz = kXyz * linear;
     const float x = lightnessOf(xyz.x), y = lightnessOf(xyz.y), z = lightnessOf(xyz.z);

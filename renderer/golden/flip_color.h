@@ -10,6 +10,9 @@ namespace umbrage::flip {
 glm::vec3 ycxczOf(const glm::vec3& linear);
 glm::vec3 linearOf(const glm::vec3& ycxcz);
 
+/// Relative luminance of a linear Rec.709 colour: 1 for white.
+float luminanceOf(const glm::vec3& linear);
+
 /// Linear Rec.709 to L*a*b*, with a* and b* scaled for Hunt's effect: colours look less saturated where it is dark.
 glm::vec3 huntLabOf(const glm::vec3& linear);
 

@@ -22,9 +22,17 @@ bool isInteger(const StoredChannel& channel) {
     return std::holds_alternative<std::vector<std::uint32_t>>(channel.values);
 }
 
-double differenceOf(double golden, double output) {
+/// @param steps  the values are whole numbers of 1 / steps, rounded to float; 0: they are not
+double differenceOf(double golden, double output, double steps) {
     if (golden == output || (std::isnan(golden) && std::isnan(output))) return 0.0;
-    return std::isfinite(golden) && std::isfinite(output) ? std::abs(output - golden) : kInfinity;
+    if (!std::isfinite(golden) || !std::isfinite(output)) return kInfinity;
+    const double difference = std::abs(output - golden);
+    return steps > 0.0 ? std::round(difference * steps) / steps : difference;
+}
+
+/// What a byte or two can hold besides 0, so that a difference of one of them is 1/255 or 1/65535 wherever it lies.
+double stepsOf(PixelType type) {
+    return type == PixelType::UInt8 ? 255.0 : type == PixelType::UInt16 ? 65535.0 : 0.0;
 }
 
 /// What one pass over all samples finds.
@@ -38,7 +46,7 @@ struct Sums {
 };
 
 template <class Value>
-void addChannel(Sums& sums, const std::vector<Value>& golden, const std::vector<Value>& output,
+void addChannel(Sums& sums, const std::vector<Value>& golden, const std::vector<Value>& output, double steps,
                 const MeasureSettings& settings) {
     constexpr bool kFloat = std::is_same_v<Value, float>;
     double sum = 0.0, squares = 0.0, sumRelative = 0.0;
@@ -47,7 +55,7 @@ void addChannel(Sums& sums, const std::vector<Value>& golden, const std::vector<
             if (std::isfinite(golden[i])) sums.peak = std::max(sums.peak, std::abs(double(golden[i])));
         }
         if (golden[i] == output[i]) continue;
-        const double difference = differenceOf(golden[i], output[i]);
+        const double difference = differenceOf(golden[i], output[i], steps);
         if (difference == 0.0) continue;
         sum += difference;
         squares += difference * difference;
@@ -80,7 +88,7 @@ Sums sumsOf(const StoredImage& golden, const StoredImage& output, const MeasureS
         std::visit(
             [&](const auto& values) {
                 using Values = std::decay_t<decltype(values)>;
-                addChannel(sums, values, std::get<Values>(other.values), settings);
+                addChannel(sums, values, std::get<Values>(other.values), stepsOf(channel.type), settings);
             },
             channel.values);
     }

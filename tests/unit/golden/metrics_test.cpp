@@ -77,6 +77,17 @@ TEST(Metrics, ADifferenceOfTheToleranceIsWithinIt) {
     EXPECT_EQ(figure(all(golden, output, {.tolerance = 0.5}), "fraction"), 0.0);
 }
 
+TEST(Metrics, AStepOfAByteIsOneStepWhereverItLies) {
+    Floats values, next;
+    for (int i = 0; i < 255; ++i) values.push_back(float(i) / 255.0f), next.push_back(float(i + 1) / 255.0f);
+    StoredImage golden = stored(255, 1, {{"Y", values}}), output = stored(255, 1, {{"Y", next}});
+    for (StoredImage* image : {&golden, &output}) image->channels[0].type = PixelType::UInt8;
+    const Measured measured = all(golden, output, {.tolerance = 1.0 / 255.0});
+    EXPECT_EQ(figure(measured, "max-abs"), 1.0 / 255.0);
+    EXPECT_EQ(figure(measured, "fraction"), 0.0);
+    EXPECT_EQ(measured.worst, (std::pair{0, 0}));
+}
+
 TEST(Metrics, ThePeakOfLinearPicturesIsTheGoldens) {
     const StoredImage golden = stored(2, 1, {{"Z", Floats{-8, 2}}}, false);
     const StoredImage output = stored(2, 1, {{"Z", Floats{-8, 3}}}, false);
