@@ -24,7 +24,8 @@ std::string reasonOf(const OIIO::ImageInput& input) {
     return reason.empty() ? "the decoder gives no reason" : reason;
 }
 
-DecodedImage decodeWithOiio(std::span<const std::byte> encoded, const EncodedHeader& header, const std::string& place) {
+DecodedImage decodeWithOiio(std::span<const std::byte> encoded, const EncodedHeader& header, const std::string& place,
+                            OIIO::ParamValueList* attributes = nullptr) {
     // glTF's alpha is not premultiplied, and colour spaces are the material's business: pixels come as they are stored.
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
@@ -57,6 +58,7 @@ DecodedImage decodeWithOiio(std::span<const std::byte> encoded, const EncodedHea
                            image.pixels.data())) {
         throw undecodable(place, header, reasonOf(*input));
     }
+    if (attributes) *attributes = spec.extra_attribs;
     return image;
 }
 
@@ -72,10 +74,10 @@ std::vector<std::byte> withoutAlphaMark(std::span<const std::byte> webp) {
 
 }  // namespace
 
-DecodedImage decodeImage(std::span<const std::byte> encoded, std::string_view name) {
+DecodedImage decodeImage(std::span<const std::byte> encoded, std::string_view name, OIIO::ParamValueList* attributes) {
     const std::string place(name);
     const EncodedHeader header = readEncodedHeader(encoded, place);
-    DecodedImage image = decodeWithOiio(encoded, header, place);
+    DecodedImage image = decodeWithOiio(encoded, header, place, attributes);
     if (header.format == "webp" && image.channelCount == 4) {
         // OpenImageIO 2.4 premultiplies WebP whatever it is asked, which loses dark and transparent colours for good.
         // It leaves a picture without alpha alone, so the colours come from such a copy.

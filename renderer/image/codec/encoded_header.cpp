@@ -62,8 +62,9 @@ struct DeclaredSize {
 DeclaredSize pngSize(const Bytes& bytes) {
     if (bytes.size() < 33) throw bytes.cutShort();
     if (!bytes.has(12, "IHDR")) throw bytes.refused("the picture's PNG does not begin with its header");
-    for (std::size_t at = 8; !bytes.has(at + 4, "IEND"); at += std::size_t{12} + bytes.big32(at)) {
-    }
+    std::size_t at = 8;
+    while (!bytes.has(at + 4, "IEND")) at += std::size_t{12} + bytes.big32(at);
+    bytes.big32(at + 8);  // its check sum is there too
     return {bytes.big32(16), bytes.big32(20)};
 }
 
