@@ -20,7 +20,8 @@ namespace umbrage {
 namespace {
 
 constexpr const char* kFooter =
-    "Exit codes: 0 ok; 1 frames failed or are wrong; 2 usage; 3 bad sequence or scene; 4 no OpenGL; 5 output could not "
+    "Exit codes: 0 ok; 1 frames failed, are wrong or over budget; 2 usage; 3 bad sequence or scene; 4 no OpenGL; 5 "
+    "output could not "
     "be written;\n"
     "130/143 interrupted. Results go to stdout, everything else to stderr.\n"
     "Examples:\n"
@@ -36,6 +37,19 @@ void addJob(CLI::App& app, JobOptions& o) {
     app.add_option("--size", o.size, "picture size: WIDTHxHEIGHT");
     app.add_option("--camera", o.camera, "path or name of a camera in the scene");
     app.add_option("--set", o.set, "override a value: shadow.count=z-fail (repeatable)")->allow_extra_args(false);
+}
+
+void addBudget(CLI::App& app, std::vector<std::string>& budgets) {
+    const auto check = [](const std::string& text) {
+        return text.find('=') == std::string::npos || text.front() == '='
+                   ? fmt::format("\"{}\" is not FIGURE=LIMIT, such as overdraw.p95=6", text)
+                   : std::string();
+    };
+    app.add_option("--budget", budgets,
+                   "fail where a frame has more: overdraw.p95=6, edges.silhouette={min: 1} (repeatable)")
+        ->allow_extra_args(false)
+        ->check(CLI::Validator(check, ""))
+        ->option_text("FIGURE=LIMIT");
 }
 
 /// An option whose value is one of a few names.
@@ -61,6 +75,7 @@ void addRun(CLI::App& app, std::string& device, ProgressKind& progress, bool& al
 void addRender(CLI::App& app, RenderOptions& o) {
     app.add_option("input", o.input, "sequence (.yaml) or scene (.gltf, .glb)")->required();
     addJob(app, o.job);
+    addBudget(app, o.job.budgets);
     app.add_option("--out", o.out, "folder for the files instead of the sequence's");
     app.add_option("--ocio", o.ocio, "OpenColorIO configuration; wins over the sequence's and $OCIO");
     app.add_option("--workers", o.workers, "threads that write files; 0 chooses")
@@ -154,6 +169,7 @@ void addStats(CLI::App& app, StatsOptions& o) {
     CLI::Option* counter =
         app.add_option("--counter", o.counter, "only counters that this glob matches; with --plot, the one to plot");
     app.add_option("--compare", o.compare, "print what is different in this statistics file");
+    addBudget(app, o.budgets);
     app.add_option("--merge", o.merge, "write all inputs as one statistics file")->check(endingWith({".json"}));
     app.add_option("--csv", o.csv, "write them as a table for spreadsheets, pandas and R");
     app.add_option("--html", o.html,
