@@ -45,6 +45,7 @@ JobOverrides overridesOf(const JobOptions& options) {
     if (!options.size.empty()) overrides.options.push_back({"--size", "image.size=" + sizeList(options.size)});
     if (!options.camera.empty()) overrides.options.push_back({"--camera", "camera=" + quoted(options.camera)});
     overrides.set = options.set;
+    overrides.budgets = options.budgets;
     return overrides;
 }
 

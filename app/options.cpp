@@ -20,9 +20,9 @@ namespace umbrage {
 namespace {
 
 constexpr const char* kFooter =
-    "Exit codes: 0 ok; 1 frames failed, differ or are wrong; 2 usage; 3 bad sequence or scene; 4 no OpenGL; 5 output "
-    "could not "
-    "be written;\n"
+    "Exit codes: 0 ok; 1 frames failed, differ, are wrong or over budget; 2 usage; 3 bad sequence or scene; 4 no "
+    "OpenGL;
+5 output could not be written; "
     "130/143 interrupted. Results go to stdout, everything else to stderr.\n"
     "Examples:\n"
     "  umbrage render configs/courtyard.yaml --frames 1-48x2 --out /tmp/frames\n"
@@ -38,6 +38,19 @@ void addJob(CLI::App& app, JobOptions& o) {
     app.add_option("--size", o.size, "picture size: WIDTHxHEIGHT");
     app.add_option("--camera", o.camera, "path or name of a camera in the scene");
     app.add_option("--set", o.set, "override a value: shadow.count=z-fail (repeatable)")->allow_extra_args(false);
+}
+
+void addBudget(CLI::App& app, std::vector<std::string>& budgets) {
+    const auto check = [](const std::string& text) {
+        return text.find('=') == std::string::npos || text.front() == '='
+                   ? fmt::format("\"{}\" is not FIGURE=LIMIT, such as overdraw.p95=6", text)
+                   : std::string();
+    };
+    app.add_option("--budget", budgets,
+                   "fail where a frame has more: overdraw.p95=6, edges.silhouette={min: 1} (repeatable)")
+        ->allow_extra_args(false)
+        ->check(CLI::Validator(check, ""))
+        ->option_text("FIGURE=LIMIT");
 }
 
 /// An option whose value is one of a few names.
@@ -63,6 +76,7 @@ void addRun(CLI::App& app, std::string& device, ProgressKind& progress, bool& al
 /// How a sequence is rendered, but for which.
 void addRendering(CLI::App& app, RenderOptions& o) {
     addJob(app, o.job);
+    addBudget(app, o.job.budgets);
     app.add_option("--out", o.out, "folder for the files instead of the sequence's");
     app.add_option("--ocio", o.ocio, "OpenColorIO configuration; wins over the sequence's and $OCIO");
     app.add_option("--workers", o.workers, "threads that write files; 0 chooses")
@@ -192,6 +206,7 @@ void addStats(CLI::App& app, StatsOptions& o) {
     CLI::Option* counter =
         app.add_option("--counter", o.counter, "only counters that this glob matches; with --plot, the one to plot");
     app.add_option("--compare", o.compare, "print what is different in this statistics file");
+    addBudget(app, o.budgets);
     app.add_option("--merge", o.merge, "write all inputs as one statistics file")->check(endingWith({".json"}));
     app.add_option("--csv", o.csv, "write them as a table for spreadsheets, pandas and R");
     app.add_option("--html", o.html,

@@ -15,6 +15,7 @@ enum class ProgressKind { Auto, Bar, Lines, None };
 struct JobOptions {
     std::string frames, size, camera;
     std::vector<std::string> set;
+    std::vector<std::string> budgets;  // FIGURE=LIMIT
 };
 
 struct RenderOptions {
@@ -76,6 +77,7 @@ struct StatsOptions {
     std::vector<std::string> inputs;     // statistics files (.json)
     std::string frames, light, counter;  // what to look at; empty: everything
     std::string merge, compare, csv, html, plot;
+    std::vector<std::string> budgets;  // FIGURE=LIMIT
 };
 
 struct SchemaOptions {

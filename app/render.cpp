@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "batch/batch.h"
+#include "budgets.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "interrupt.h"
@@ -38,11 +39,12 @@ int runRender(const RenderOptions& options, bool quiet) {
     const BatchSummary summary = renderWatched(job, options, quiet);
     const std::size_t done = summary.written.size();
     if (done > 0 && !quiet) printSummary(summary);
+    const ExitCode budgets = sayBudgets(summary.budgets, "");
     if (summary.interrupted) {
         say("umbrage: interrupted; frames still to render: --frames {}\n", FrameRange::textOf(summary.missing));
         return interruptExitCode();
     }
-    return done == summary.requested ? kOk : kFramesFailed;
+    return done == summary.requested ? budgets : kFramesFailed;
 }
 
 }  // namespace umbrage

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
 
+#include "budgets.h"
 #include "commands.h"
 #include "diagnostics/statistics_merge.h"
 #include "exit_codes.h"
 #include "image/thumbnail.h"
 #include "job/frame_range.h"
 #include "job/glob.h"
+#include "job/job.h"
 #include "job/nearest.h"
 #include "report/statistics_compare.h"
 #include "report/statistics_page.h"
@@ -37,9 +40,16 @@ StatisticsSelection selectionOf(const StatsOptions& options) {
     return selection;
 }
 
+/// @param budgets  besides those of the file, or instead of those on the same figures
 /// @throws Error(Input)
-NamedStatistics selectedFrom(const std::string& name, const StatisticsSelection& selection) {
-    return {name, selectedStatistics(readStatistics(name), selection)};
+NamedStatistics selectedFrom(const std::string& name, const StatisticsSelection& selection,
+                             const std::vector<Budget>& budgets) {
+    StatisticsFile file = readStatistics(name);
+    std::erase_if(file.budgets, [&](const BudgetResult& old) {
+        return std::ranges::find(budgets, old.name, &Budget::name) != budgets.end();
+    });
+    for (const BudgetResult& result : checkBudgets(file, budgets)) file.budgets.push_back(result);
+    return {name, selectedStatistics(file, selection)};
 }
 
 /// Of the pictures beauty.FRAME.png that lie beside the file.
@@ -70,14 +80,17 @@ void writePlot(const fs::path& file, const Plot& plot) {
 int runStats(const StatsOptions& options) {
     const StatisticsSelection selection = selectionOf(options);
     std::vector<NamedStatistics> files;
-    for (const std::string& input : options.inputs) files.push_back(selectedFrom(input, selection));
+    const std::vector<Budget> budgets = parseBudgets(options.budgets);
+    for (const std::string& input : options.inputs) files.push_back(selectedFrom(input, selection, budgets));
     const bool makesFiles =
         !options.merge.empty() || !options.csv.empty() || !options.html.empty() || !options.plot.empty();
     if (!makesFiles && options.compare.empty()) {
+        ExitCode exitCode = kOk;
         for (std::size_t i = 0; i < files.size(); ++i) {
             fmt::print("{}{}", i > 0 ? "\n" : "", statisticsTable(files[i].file));
+            exitCode = std::max(exitCode, sayBudgets(files[i].file.budgets, files.size() > 1 ? files[i].name : ""));
         }
-        return kOk;
+        return exitCode;
     }
     const StatisticsFile all = mergedStatistics(files);
     if (!options.merge.empty()) writeWhole(options.merge, all.json());
@@ -87,9 +100,9 @@ int runStats(const StatsOptions& options) {
     }
     if (!options.plot.empty()) writePlot(options.plot, statisticsPlot(all, options.counter));
     if (!options.compare.empty()) {
-        fmt::print("{}", comparisonTable(all, selectedFrom(options.compare, selection).file));
+        fmt::print("{}", comparisonTable(all, selectedFrom(options.compare, selection, {}).file));
     }
-    return kOk;
+    return sayBudgets(all.budgets, "");
 }
 
 }  // namespace umbrage

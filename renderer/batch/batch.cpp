@@ -136,6 +136,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
 
     const Clock::time_point renderStart = Clock::now();
     Statistics statistics;
+    const bool needsMemory = job.diagnostics.profile || anyNeeds(job.statistics.budgets, BudgetNeeds::Memory);
     Thumbnails thumbnails;
     {
         WriteQueue queue(options.workers, [&](const WriteQueue::Item& item) {
@@ -146,6 +147,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
             for (const WriteQueue::Done& frame : done) {
                 summary.written.push_back(frame.frame);
                 if (job.diagnostics.profile) statistics.record(frame.frame, {}, "time.encode", frame.milliseconds);
+                if (needsMemory) statistics.record(frame.frame, {}, "memory.peak", peakHostMemoryMebibytes());
                 observer.frameWritten(frame.frame, summary.written.size(), frames.size());
             }
         };
@@ -173,12 +175,14 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
                    {context.info().renderer, context.info().version, processor, std::string(kVersion),
                     fingerprintOf(job.shape, composition.scene.sources, display->cacheId())});
     if (job.statistics.isWanted()) {
-        const StatisticsFile file = statistics.file(
+        StatisticsFile file = statistics.file(
             {{"sequence", job.file.filename().string()},
              {"version", std::string(kVersion)},
              {"device", context.info().renderer},
              {"clock", context.info().software ? "wall clock between glFinish calls" : "GPU timer queries"}});
+        file.budgets = checkBudgets(file, job.statistics.budgets);
         writeStatistics(job, file, thumbnails);
+        summary.budgets = file.budgets;
     }
     return summary;
 }

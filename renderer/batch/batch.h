@@ -36,7 +36,8 @@ struct BatchSummary {
     std::size_t requested = 0;
     double loadSeconds = 0.0, renderSeconds = 0.0;
     double peakMemoryMebibytes = 0.0;
-    std::filesystem::path example;  // the first image written; empty: none was asked for
+    std::filesystem::path example;      // the first image written; empty: none was asked for
+    std::vector<BudgetResult> budgets;  // in the job's order
     bool interrupted = false;
 };
 

@@ -171,7 +171,8 @@ FrameOutputs neededOutputs(const Job& job) {
     });
     addNeeds(job.diagnostics.overlays, outputs);
     outputs.radiance = !job.diagnostics.only;
-    outputs.figures = job.statistics.isWanted();
+    // Counting costs far more than the picture, so a budget on time or memory alone does without.
+    outputs.figures = job.statistics.isWritten() || anyNeeds(job.statistics.budgets, BudgetNeeds::Figures);
     outputs.scene = outputs.scene || outputs.figures;
     return outputs;
 }

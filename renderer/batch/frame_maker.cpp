@@ -5,6 +5,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "batch/frame_files.h"
@@ -20,14 +21,46 @@ FrameMaker::FrameMaker(const Job& job, const Composition& composition, const Mom
       composition_(composition),
       outputs_(neededOutputs(job)),
       renderer_(composition.scene, first, settingsOf(job, composition), context) {
-    if (!comparesTechniques(job)) return;
-    FrameSettings settings = settingsOf(job, composition);
-    choose(techniqueAgainst(job), settings);
-    against_ = std::make_unique<FrameRenderer>(composition.scene, first, settings, context);
+    const auto another = [&](const FrameSettings& settings) {
+        return std::make_unique<FrameRenderer>(composition.scene, first, settings, context);
+    };
+    if (comparesTechniques(job)) {
+        FrameSettings settings = settingsOf(job, composition);
+        choose(techniqueAgainst(job), settings);
+        against_ = another(settings);
+    }
+    if (anyNeeds(job.statistics.budgets, BudgetNeeds::Ratio)) {
+        FrameSettings settings = settingsOf(job, composition);
+        settings.profile = false;  // passes that are waited for take longer
+        shadowed_ = another(settings);
+        settings.shadows = false;
+        unshadowed_ = another(settings);
+    }
 }
 
 PlacedMoment FrameMaker::at(int frame) const {
     return placedMoment(job_, composition_, frame);
+}
+
+double FrameMaker::pictureMilliseconds(FrameRenderer& renderer, const PlacedMoment& now, int frame) const {
+    Statistics unused;
+    const Clock::time_point start = Clock::now();
+    renderer.render(now.moment, now.camera, {}, frame, unused);
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+void FrameMaker::measureRatio(const PlacedMoment& now, int frame, Statistics& statistics) {
+    if (!std::exchange(ratioIsWarm_, true)) {  // a renderer's first frame sets things up
+        for (FrameRenderer* renderer : {shadowed_.get(), unshadowed_.get()}) pictureMilliseconds(*renderer, now, frame);
+    }
+    std::vector<double> with, without;
+    for (int repeat = 0; repeat < job_.diagnostics.repeats; ++repeat) {
+        with.push_back(pictureMilliseconds(*shadowed_, now, frame));
+        without.push_back(pictureMilliseconds(*unshadowed_, now, frame));
+    }
+    statistics.record(frame, {}, "time.picture", median(with));
+    statistics.record(frame, {}, "time.unshadowed", median(without));
+    statistics.record(frame, {}, "time.frame.ratio", median(with) / median(without));
 }
 
 WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
@@ -48,8 +81,8 @@ WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
         for (const auto& [counter, values] : milliseconds) {
             statistics.record(frame, {}, Counter::at(counter), median(values));
         }
-        statistics.record(frame, {}, "memory.peak", peakHostMemoryMebibytes());
     }
+    if (shadowed_) measureRatio(*now, frame, statistics);
     if (against_) {
         FrameOutputs itsFill;
         itsFill.radiance = false;

@@ -25,12 +25,16 @@ public:
 
 private:
     PlacedMoment at(int frame) const;
+    double pictureMilliseconds(FrameRenderer& renderer, const PlacedMoment& now, int frame) const;
+    void measureRatio(const PlacedMoment& now, int frame, Statistics& statistics);
 
     const Job& job_;
     const Composition& composition_;
     FrameOutputs outputs_;
     FrameRenderer renderer_;
-    std::unique_ptr<FrameRenderer> against_;  // where an overlay compares techniques
+    std::unique_ptr<FrameRenderer> against_;                // where an overlay compares techniques
+    std::unique_ptr<FrameRenderer> shadowed_, unshadowed_;  // where a budget wants the ratio of their times
+    bool ratioIsWarm_ = false;
 };
 
 }  // namespace umbrage

@@ -84,6 +84,10 @@ inline constexpr std::array kCounters{
     CounterInfo{"time.readback", "ms", "pixels from the device to the host"},
     CounterInfo{"time.encode", "ms", "display colour, encoding and writing of files"},
     CounterInfo{"time.frame", "ms", "the whole frame"},
+    // ratio
+    CounterInfo{"time.picture", "ms", "the frame's picture alone, again, its passes not waited for"},
+    CounterInfo{"time.unshadowed", "ms", "the same without shadows"},
+    CounterInfo{"time.frame.ratio", "ratio", "time.picture / time.unshadowed", Combine::Mean, "time.picture", "time.unshadowed"},
 };
 // clang-format on
 
@@ -99,6 +103,7 @@ inline constexpr std::array kCounterGroups{
     CounterGroup{"fill", "overdraw.fragments", "What rasterising the shadow volumes costs. Fragments are counted before the depth test, one for each sample."},
     CounterGroup{"device", "device.draws", "What the device was asked to do, and the memory it took."},
     CounterGroup{"time", "time.position", "Only with diagnostics.profile. The clock is named at the head of the file."},
+    CounterGroup{"ratio", "time.picture", "What shadows cost. Only with diagnostics.profile and a budget on one of these, for each frame is rendered twice more, in turn."},
 };
 // clang-format on
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnostics/budgets.h"
 #include "diagnostics/counters.h"
 #include "diagnostics/distribution.h"
 
@@ -53,6 +54,7 @@ struct StatisticsFile {
     std::vector<CounterEntry> counters;
     std::vector<QuantityEntry> quantities;
     std::map<int, FrameFigures> frames;
+    std::vector<BudgetResult> budgets{};  // what the run was held to; not in the CSV
 
     /// Tidy: frame,light,caster,material,counter,unit,value, one number a line. Lines end in \n, fields are quoted as
     /// RFC 4180 has it. A distribution is five lines: NAME.mean, .p50, .p95, .p99, .max.

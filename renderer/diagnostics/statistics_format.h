@@ -47,9 +47,14 @@ inline constexpr std::array kDistributionFigures{
     DistributionFigure{"max", [](const Distribution& d) { return d.max(); }, "largest value"},
 };
 
+/// As CSV, budgets and comparisons call it: overdraw.p95
+inline std::string figureName(std::string_view quantity, const DistributionFigure& figure) {
+    return std::string(quantity).append(".").append(figure.name);
+}
+
 /// Whether numbers of this unit are measured, and so differ from run to run; counts do not.
 inline bool isMeasured(std::string_view unit) {
-    return unit == "ms" || unit == "MiB";
+    return unit == "ms" || unit == "MiB" || unit == "ratio";
 }
 
 inline constexpr std::array<std::string_view, 3> kCombineNames{"sum", "largest", "mean"};

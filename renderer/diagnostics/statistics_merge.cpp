@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "diagnostics/statistics_format.h"
 #include "error.h"
@@ -104,15 +105,22 @@ StatisticsFile mergedStatistics(const std::vector<NamedStatistics>& files) {
             }
         }
     }
+    std::vector<Budget> budgets;
+    for (const NamedStatistics& part : files) {
+        for (const Budget& budget : budgetsOf(part.file.budgets)) {
+            if (std::ranges::find(budgets, budget) == budgets.end()) budgets.push_back(budget);
+        }
+    }
+    merged.budgets = checkBudgets(merged, budgets);
     return merged;
 }
 
 StatisticsFile selectedStatistics(const StatisticsFile& file, const StatisticsSelection& selection) {
     StatisticsFile selected = file;
-    selected.frames.clear();
-    for (const auto& [frame, places] : file.frames) {
-        if (selection.frame && !selection.frame(frame)) continue;
-        FrameFigures& kept = selected.frames[frame];
+    if (selection.frame) std::erase_if(selected.frames, [&](const auto& f) { return !selection.frame(f.first); });
+    selected.budgets = checkBudgets(selected, budgetsOf(file.budgets));  // of whole frames, whatever is kept of them
+    for (auto& [frame, kept] : selected.frames) {
+        const FrameFigures places = std::exchange(kept, {});
         for (const auto& [place, figures] : places) {
             if (selection.light && (place.light.empty() || !selection.light(place.light))) continue;
             Figures some{selectedNumbers(figures.values, file.counters, selection),

@@ -28,6 +28,7 @@ struct StatisticsSelection {
     std::function<bool(const std::string& name)> name{};  // of counters and quantities
 };
 
+/// Budgets are judged by the frames that are kept.
 StatisticsFile selectedStatistics(const StatisticsFile& file, const StatisticsSelection& selection);
 
 }  // namespace umbrage

@@ -56,6 +56,11 @@ public:
         return json_.get<std::string>();
     }
 
+    bool boolean() const {
+        if (!json_.is_boolean()) failType("true or false");
+        return json_.get<bool>();
+    }
+
     double number() const {
         if (!json_.is_number()) failType("a number");
         return json_.get<double>();
@@ -123,6 +128,22 @@ StatisticsFile::CounterEntry readCounter(const std::string& name, const Node& no
         counter.denominator = parts[1];
     }
     return counter;
+}
+
+BudgetResult readBudget(const Node& node, const StatisticsFile& file) {
+    BudgetResult result;
+    result.name = node.member("name").string();
+    const std::optional<std::string> unit = unitOfFigure(file, result.name);
+    if (!unit) node.member("name").fail("is not explained under /counters or /quantities");
+    result.unit = *unit;
+    result.atLeast = node.has("min");
+    if (result.atLeast && node.has("max")) node.fail("has both \"min\" and \"max\"");
+    result.limit = node.member(result.atLeast ? "min" : "max").number();
+    if (node.has("value")) result.value = node.member("value").number();
+    if (node.has("frame")) result.frame = node.member("frame").frameNumber();
+    if (node.has("light")) result.light = node.member("light").string();
+    result.exceeded = node.member("exceeded").boolean();
+    return result;
 }
 
 Distribution readDistribution(const Node& node) {
@@ -201,8 +222,11 @@ StatisticsFile parseStatistics(std::string_view json, const std::string& name) {
         if (!isNew) node.fail(fmt::format("frame {} is there twice", frame));
         readPlace(node, {}, 0, file, entry->second);
     });
+    if (root.has("budgets")) {
+        root.member("budgets").eachElement([&](const Node& node) { file.budgets.push_back(readBudget(node, file)); });
+    }
     root.eachMember([&](const std::string& key, const Node& node) {
-        for (const char* known : {"format", "counters", "quantities", "frames", "summary"}) {
+        for (const char* known : {"format", "counters", "quantities", "budgets", "frames", "summary"}) {
             if (key == known) return;
         }
         file.header.emplace_back(key, node.string());

@@ -69,6 +69,19 @@ Json distributionSchema(const Json& count, const Json& amount) {
     return object(properties);
 }
 
+Json budgetSchema(const Json& text, const Json& number, const Json& integer) {
+    Json budget = object({{"name", described(text, "of a counter, or QUANTITY.FIGURE")},
+                          {"max", described(number, "at most this")},
+                          {"min", described(number, "at least this")},
+                          {"value", described(number, "the worst; not there if there is none")},
+                          {"frame", described(integer, "the first with it")},
+                          {"light", described(text, "whose it is, of a figure that a whole frame has not")},
+                          {"exceeded", described({{"type", "boolean"}}, "also where there is no value to judge")}},
+                         {"max", "min", "value", "frame", "light"});
+    for (const char* limit : {"max", "min"}) budget["oneOf"].push_back({{"required", Json::array({limit})}});
+    return budget;
+}
+
 Json summarySchema(const Json& count, const Json& number) {
     Json properties = {{"frames", described(count, "how many there are")},
                        {"values", reference("valueSummaries")},
@@ -123,12 +136,14 @@ std::string statisticsSchema() {
                              {"clock", described(text, "what measured the time")},
                              {"counters", mapOf(counter)},
                              {"quantities", mapOf(quantity)},
+                             {"budgets", described({{"type", "array"}, {"items", budgetSchema(text, number, integer)}},
+                                                   "what every frame was held to; not there without any")},
                              {"frames", {{"type", "array"}, {"items", frame}}},
                              {"summary", summarySchema(count, number)}};
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                    {"title", "umbrage statistics"},
                    {"description", "The numbers of a sequence, as umbrage render writes them."}};
-    schema.update(object(properties));
+    schema.update(object(properties, {"budgets"}));
     schema["$defs"] = definitions;
     return schema.dump(2) + "\n";
 }

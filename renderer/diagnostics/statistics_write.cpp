@@ -38,6 +38,15 @@ Json jsonOf(const Distribution& distribution) {
     return json;
 }
 
+Json jsonOf(const BudgetResult& result) {
+    Json json = {{"name", result.name}, {result.atLeast ? "min" : "max", jsonNumber(result.limit)}};
+    if (result.value) json["value"] = jsonNumber(*result.value);
+    if (result.frame) json["frame"] = *result.frame;
+    if (!result.light.empty()) json["light"] = result.light;
+    json["exceeded"] = result.exceeded;
+    return json;
+}
+
 class Writer {
 public:
     explicit Writer(const StatisticsFile& file) : file_(file) {}
@@ -138,6 +147,7 @@ std::string StatisticsFile::json() const {
     for (const QuantityEntry& quantity : quantities) {
         append(quantityTable, quantity.name, {{"unit", quantity.unit}, {"doc", quantity.doc}, {"aov", quantity.aov}});
     }
+    for (const BudgetResult& result : budgets) document["budgets"].push_back(jsonOf(result));
     // A light's name is whatever the scene says: bytes that are not UTF-8 become U+FFFD rather than an exception.
     const auto textOf = [](const Json& value, int indent) {
         return value.dump(indent, ' ', false, Json::error_handler_t::replace);

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "diagnostics/budgets.h"
+
 namespace umbrage {
 
 enum class Outcome : std::uint8_t {  // in the order of kOutcomes
@@ -110,6 +112,7 @@ struct Comparison {
     std::vector<std::string> notes{};
     std::vector<ImageResult> images{};  // by name
     std::vector<StatisticsResult> statistics{};
+    std::vector<BudgetResult> budgets{};       // of the output's statistics
     std::string renderCommand, acceptCommand;  // to make the output again, and to make it the golden
 
     /// Whether the exit code is 0.

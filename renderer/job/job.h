@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/budgets.h"
 #include "job/frame_range.h"
 #include "job/golden_rules.h"
 
@@ -186,8 +187,10 @@ struct Job {
     struct Statistics {
         std::string path;  // .json or .csv; empty: none
         std::string page;  // .html; empty: none
+        std::vector<Budget> budgets;
 
-        bool isWanted() const { return !path.empty() || !page.empty(); }
+        bool isWanted() const { return isWritten() || !budgets.empty(); }
+        bool isWritten() const { return !path.empty() || !page.empty(); }
     } statistics;
 
     JobGolden golden;
@@ -200,10 +203,16 @@ struct JobOverrides {
         std::string name, assignment;
     };
 
-    std::vector<std::string> set;   // "image.size=[640,480]": a YAML path and a YAML value
-    std::vector<Option> options{};  // applied before `set`
-    bool wholeAnimation = false;    // --frames all
+    std::vector<std::string> set;        // "image.size=[640,480]": a YAML path and a YAML value
+    std::vector<Option> options{};       // applied before `set`
+    std::vector<std::string> budgets{};  // "overdraw.p95=6", applied last
+    bool wholeAnimation = false;         // --frames all
 };
+
+/// Budgets of the command line: "overdraw.p95=6", each with a limit as the sequence file has it. The last one on a
+/// figure counts.
+/// @throws Error(Usage, Input) with "--budget"
+std::vector<Budget> parseBudgets(const std::vector<std::string>& assignments);
 
 /// @throws Error(Input) with file:line:column, or with "--set NAME" for overrides; Error(Usage) for wholeAnimation, as
 ///         only a scene without YAML leaves its frames open

@@ -298,7 +298,12 @@ Type<Job::Statistics> statisticsSettings() {
                                     .unset("none is written"),
                                 field<Statistics>("page", fileName("page", {".html"}), &Statistics::page,
                                                   "The same as a page to look at, with thumbnails, in one file")
-                                    .unset("none is written")});
+                                    .unset("none is written"),
+                                field<Statistics>("budgets", budgets(), &Statistics::budgets,
+                                                  "What every frame must hold to, or the run fails: a counter, or "
+                                                  "QUANTITY.mean, .p50, .p95, .p99 or .max, and the most it may be; "
+                                                  "--budget adds to them")
+                                    .unset("none")});
 }
 
 void setLayers(Job& job, const std::vector<Layer>& layers) {
@@ -314,6 +319,13 @@ void checkJob(const Job& job, const YamlNode& node) {
     if (job.shadow.count != "split-plane" && std::count(overlays.begin(), overlays.end(), "split-plane") > 0) {
         refuse(*node.find("diagnostics"), "the overlay split-plane shows what only the count split-plane has",
                "set shadow.count to split-plane");
+    }
+    for (const Budget& budget : job.statistics.budgets) {
+        const BudgetNeeds needs = needsOf(budget.name);
+        if (job.diagnostics.profile || (needs != BudgetNeeds::Times && needs != BudgetNeeds::Ratio)) continue;
+        refuse(*node.find("statistics")->find("budgets")->find(budget.name),
+               fmt::format("{} is measured only where diagnostics.profile is true", budget.name),
+               "set diagnostics.profile to true");
     }
     if (job.gltfLayers.empty()) refuse(*node.find("scene"), "the scene has no glTF layer", "add - gltf: FILE");
 }

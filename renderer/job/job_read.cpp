@@ -65,6 +65,7 @@ Job jobFromTree(YamlNode root, const std::filesystem::path& file, const std::fil
         refuse(root, "the file is empty", "a sequence begins with umbrage: 1 and scene:");
     for (const JobOverrides::Option& option : overrides.options) applyOverride(root, option.assignment, option.name);
     for (const std::string& assignment : overrides.set) applyOverride(root, assignment);
+    applyBudgets(root, overrides.budgets);
     if (root.isMapping() && !root.find("umbrage"))
         refuse(root, "the version key is missing", "add the line umbrage: 1");
 

@@ -69,6 +69,9 @@ Type<std::vector<JobLight>> extraLights();
 /// What over: says about a light.
 Type<LightOpinion> lightOpinion();
 
+// job_budgets.cpp
+Type<std::vector<Budget>> budgets();
+
 // job_camera.cpp
 Type<JobCamera> camera();
 

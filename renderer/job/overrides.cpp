@@ -15,8 +15,11 @@ namespace {
 
 std::vector<std::string> segmentsOf(const std::string& path) {
     std::vector<std::string> segments(1);
+    bool quoted = false;
     for (const char c : path) {
-        if (c == '.')
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == '.' && !quoted)
             segments.emplace_back();
         else
             segments.back() += c;

@@ -19,10 +19,6 @@ namespace {
 
 constexpr double kNoRatio = std::numeric_limits<double>::quiet_NaN();
 
-std::string figureName(const StatisticsFile::QuantityEntry& quantity, const DistributionFigure& figure) {
-    return quantity.name + "." + figure.name;
-}
-
 std::string placeText(const StatisticsPlace& place) {
     std::string text;
     for (const Dimension& dimension : kDimensions) text += place.*dimension.name;
@@ -41,7 +37,7 @@ NamedFrames namedFrames(const StatisticsFile& file) {
             for (const auto& [index, value] : figures.values) named[file.counters[index].name] = value;
             for (const auto& [index, distribution] : figures.distributions) {
                 for (const DistributionFigure& figure : kDistributionFigures) {
-                    named[figureName(file.quantities[index], figure)] = figure.of(distribution);
+                    named[figureName(file.quantities[index].name, figure)] = figure.of(distribution);
                 }
             }
         }
@@ -139,7 +135,8 @@ private:
                              [&](const auto& entry) { return after_.quantities[entry.first].name == quantity.name; });
             if (other == after.distributions.end()) continue;
             for (const DistributionFigure& figure : kDistributionFigures) {
-                StatisticsChange change{.place = place, .name = figureName(quantity, figure), .unit = quantity.unit};
+                StatisticsChange change{
+                    .place = place, .name = figureName(quantity.name, figure), .unit = quantity.unit};
                 change.before = figure.of(distribution);
                 change.after = figure.of(other->second);
                 change.ratio = ratioOf(change.before, change.after);
@@ -207,7 +204,7 @@ std::string comparisonTable(const StatisticsFile& before, const StatisticsFile& 
     std::string text = alignedTable(rows, {true, true, false, false, false, false, false, true, true});
     text += fmt::format(
         "\n{} of {} and {} frames are in both. * marks what changed: counts that differ in any frame; measured "
-        "numbers (ms, MiB)\nwhose frame-by-frame ratio has a median other than 1 (sign test, 95 %).",
+        "numbers (ms, MiB, ratios)\nwhose frame-by-frame ratio has a median other than 1 (sign test, 95 %).",
         common, before.frames.size(), after.frames.size());
     text += fmt::format(" {} changed", significant);
     if (hidden > 0) text += fmt::format("; {} of lights, casters and materials that did not are left out", hidden);

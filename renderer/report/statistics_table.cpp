@@ -9,6 +9,7 @@
 #include "diagnostics/statistics_format.h"
 #include "diagnostics/statistics_summary.h"
 #include "job/frame_range.h"
+#include "report/budget_table.h"
 #include "report/text_table.h"
 
 namespace umbrage {
@@ -121,7 +122,8 @@ std::string statisticsTable(const StatisticsFile& file) {
         }
     }
     const std::string table = rows.empty() ? "" : fmt::format("\n{}", alignedTable(rows, kIsText));
-    return headLine(file) + table + distributionTable(file, summary) + casterTable(summary);
+    const std::string budgets = file.budgets.empty() ? "" : fmt::format("\n{}", budgetTable(file.budgets));
+    return headLine(file) + budgets + table + distributionTable(file, summary) + casterTable(summary);
 }
 
 }  // namespace umbrage

@@ -11,7 +11,7 @@ namespace umbrage {
 /// A number as people read it: digits in groups of three, fractions to about four digits.
 std::string readableNumber(double value);
 
-/// The whole sequence in groups, then each light, then the casters with most fill.
+/// Budgets, the whole sequence in groups, then each light, then the casters with most fill.
 std::string statisticsTable(const StatisticsFile& file);
 
 }  // namespace umbrage

@@ -154,6 +154,40 @@ TEST_F(Page, TablesAreSortedByClickAndByKey) {
     EXPECT_EQ(browser().evaluate("document.querySelector('#lights tbody td').textContent"), "Cage_CageLight");
 }
 
+TEST_F(Page, ShowsBudgetsAndGoesToTheirFrames) {
+    EXPECT_EQ(browser().evaluate("document.getElementById('budgets-part').hidden"), true) << "there are none";
+    ASSERT_EQ(umbrage({"stats", "out/numbers.json", "--html", "over.html", "--budget", "edges.silhouette=10",
+                       "--budget", "triangles={min: 456}", "--budget", "caps.near.hard={min: 1, max: 2}"})
+                  .exitCode,
+              1);
+    browser().open("file://" + (folder() / "over.html").string());
+    const auto cells = [&](int row) {
+        return browser().evaluate("[...document.querySelectorAll('#budgets tbody tr')[" + std::to_string(row) +
+                                  "].cells].map(c => c.textContent)");
+    };
+    const Json over = cells(0);
+    double most = 0.0;
+    int worst = 0;
+    for (const Json& frame : numbers()["frames"]) {
+        double edges = 0.0;
+        for (const Json& light : frame["lights"]) edges += light["values"]["edges.silhouette"].get<double>();
+        if (edges > most) most = edges, worst = frame["frame"];
+    }
+    EXPECT_EQ(over[0], "edges.silhouette");
+    EXPECT_EQ(over[1], "at most 10");
+    EXPECT_EQ(over[2], std::to_string(int(most)));
+    EXPECT_EQ(over[3], std::to_string(worst));
+    EXPECT_THAT(over[5].get<std::string>(), testing::StartsWith("\u2717 over by " + std::to_string(int(most) - 10)));
+    EXPECT_EQ(cells(1), Json::parse("[\"triangles\", \"at least 456\", \"456\", \"1\", \"\", \"\u2713 held\", "
+                                    "\"count\"]"));
+    browser().evaluate("document.querySelector('#budgets button').focus()");
+    browser().press("End");
+    browser().press("Enter");
+    EXPECT_EQ(textOf("#frame-title"), "Frame " + std::to_string(worst));
+    EXPECT_NE(browser().evaluate("getComputedStyle(document.querySelector('#budgets .exceeded .verdict')).color"),
+              browser().evaluate("getComputedStyle(document.body).color"));
+}
+
 TEST_F(Page, HasADarkAndALightScheme) {
     const auto paper = [&](const char* scheme) {
         browser().call("Emulation.setEmulatedMedia",

@@ -84,6 +84,7 @@ private:
         if (type == "array") return value.is_array();
         if (type == "string") return value.is_string();
         if (type == "integer") return value.is_number_integer();
+        if (type == "boolean") return value.is_boolean();
         if (type == "number") return value.is_number();
         ADD_FAILURE() << "the schema has the type " << type << ", which this test does not know";
         return false;
