@@ -21,8 +21,8 @@ namespace {
 
 constexpr const char* kFooter =
     "Exit codes: 0 ok; 1 frames failed, differ, are wrong or over budget; 2 usage; 3 bad sequence or scene; 4 no "
-    "OpenGL;
-5 output could not be written; "
+    "OpenGL;\n"
+    "5 output could not be written; "
     "130/143 interrupted. Results go to stdout, everything else to stderr.\n"
     "Examples:\n"
     "  umbrage render configs/courtyard.yaml --frames 1-48x2 --out /tmp/frames\n"

@@ -4,102 +4,17 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
+#include "diagnostics/json_node.h"
 #include "diagnostics/statistics_format.h"
 #include "error.h"
 
 namespace umbrage {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// A value and where it stands.
-class Node {
-public:
-    Node(const Json& json, const std::string& file) : json_(json), file_(file) {}
-
-    [[noreturn]] void fail(const std::string& message, const std::string& hint = {}) const {
-        throw Error(ErrorKind::Input, pointer_.empty() ? file_ : file_ + ": " + pointer_, message, hint);
-    }
-
-    const Json& json() const { return json_; }
-
-    Node member(const std::string& name) const {
-        requireObject();
-        if (!json_.contains(name)) fail(fmt::format("\"{}\" is missing", name));
-        return child(json_[name], name);
-    }
-
-    bool has(const char* name) const {
-        requireObject();
-        return json_.contains(name);
-    }
-
-    /// visit(name, node) for each member, in the file's order.
-    template <class Visit>
-    void eachMember(const Visit& visit) const {
-        requireObject();
-        for (const auto& [name, value] : json_.items()) visit(name, child(value, name));
-    }
-
-    template <class Visit>
-    void eachElement(const Visit& visit) const {
-        if (!json_.is_array()) failType("an array");
-        for (std::size_t i = 0; i < json_.size(); ++i) visit(child(json_[i], std::to_string(i)));
-    }
-
-    std::string string() const {
-        if (!json_.is_string()) failType("a string");
-        return json_.get<std::string>();
-    }
-
-    bool boolean() const {
-        if (!json_.is_boolean()) failType("true or false");
-        return json_.get<bool>();
-    }
-
-    double number() const {
-        if (!json_.is_number()) failType("a number");
-        return json_.get<double>();
-    }
-
-    std::uint64_t count() const {
-        if (!json_.is_number_unsigned()) failType("a whole number that is not negative");
-        return json_.get<std::uint64_t>();
-    }
-
-    int frameNumber() const {
-        if (!json_.is_number_integer()) failType("a whole number");
-        const auto value = json_.get<std::int64_t>();
-        if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max()) {
-            fail("is too large for a frame number");
-        }
-        return static_cast<int>(value);
-    }
-
-    [[noreturn]] void failType(std::string_view wanted) const {
-        fail(fmt::format("must be {}, but is {}", wanted, json_.type_name()));
-    }
-
-private:
-    Node(const Json& json, const std::string& file, std::string pointer)
-        : json_(json), file_(file), pointer_(std::move(pointer)) {}
-
-    Node child(const Json& json, const std::string& name) const {
-        return {json, file_, pointer_ + Json::json_pointer().operator/=(name).to_string()};
-    }
-
-    void requireObject() const {
-        if (!json_.is_object()) failType("an object");
-    }
-
-    const Json& json_;
-    const std::string& file_;
-    std::string pointer_;
-};
+using Node = JsonNode;
 
 template <class Entries>
 std::size_t indexIn(const Entries& table, const std::string& name, const char* tableName, const Node& node) {
@@ -195,10 +110,10 @@ void readPlace(const Node& node, const StatisticsPlace& place, std::size_t dimen
 }  // namespace
 
 StatisticsFile parseStatistics(std::string_view json, const std::string& name) {
-    Json document;
+    Node::Json document;
     try {
-        document = Json::parse(json);
-    } catch (const Json::parse_error& error) {
+        document = Node::Json::parse(json);
+    } catch (const Node::Json::parse_error& error) {
         const std::string_view text = error.what();
         throw Error(ErrorKind::Input, name,
                     fmt::format("is not JSON: {}", text.substr(std::min(text.size(), text.find("] ") + 2))));
@@ -217,7 +132,7 @@ StatisticsFile parseStatistics(std::string_view json, const std::string& name) {
             {quantity, node.member("unit").string(), node.member("doc").string(), node.member("aov").string()});
     });
     root.member("frames").eachElement([&](const Node& node) {
-        const int frame = node.member("frame").frameNumber();
+        const int frame = node.member("frame").integer();
         const auto [entry, isNew] = file.frames.try_emplace(frame);
         if (!isNew) node.fail(fmt::format("frame {} is there twice", frame));
         readPlace(node, {}, 0, file, entry->second);

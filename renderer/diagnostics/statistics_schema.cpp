@@ -2,9 +2,8 @@
 // The JSON Schema of statistics files, from the tables that write them.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "diagnostics/quantities.h"
+#include "diagnostics/schema_parts.h"
 #include "diagnostics/statistics_format.h"
 #include "diagnostics/statistics_summary.h"
 
@@ -15,20 +14,6 @@ using Json = nlohmann::ordered_json;
 
 Json reference(const std::string& name) {
     return {{"$ref", "#/$defs/" + name}};
-}
-
-Json described(Json schema, std::string_view description) {
-    schema["description"] = description;
-    return schema;
-}
-
-/// An object with these members and no others; those not named in `optional` are required.
-Json object(const Json& properties, const std::vector<std::string>& optional = {}) {
-    Json required = Json::array();
-    for (const auto& [name, schema] : properties.items()) {
-        if (std::find(optional.begin(), optional.end(), name) == optional.end()) required.push_back(name);
-    }
-    return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
 }
 
 Json mapOf(const Json& schema) {

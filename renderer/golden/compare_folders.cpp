@@ -190,11 +190,6 @@ void compareTwo(Comparison& comparison, const CompareOptions& options) {
 
 }  // namespace
 
-bool Comparison::passes() const {
-    return std::ranges::all_of(images, [](const ImageResult& image) { return infoOf(image.outcome).passes; }) &&
-           std::ranges::all_of(statistics, [](const StatisticsResult& s) { return infoOf(s.outcome).passes; });
-}
-
 std::vector<std::string> picturesIn(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code failed;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "image/srgb.h"
+
 namespace umbrage {
 namespace {
 
@@ -15,9 +17,7 @@ constexpr Rgb8 kBelow{214, 64, 48}, kBelowStripe{255, 190, 176};
 constexpr Rgb8 kAbove{255, 255, 255}, kAboveStripe{120, 120, 120};
 
 std::uint8_t displayCode(float linear) {
-    const float clamped = std::clamp(linear, 0.0f, 1.0f);
-    const float encoded = clamped <= 0.0031308f ? 12.92f * clamped : 1.055f * std::pow(clamped, 1.0f / 2.4f) - 0.055f;
-    return static_cast<std::uint8_t>(encoded * 255.0f + 0.5f);
+    return static_cast<std::uint8_t>(displayEncoded(std::clamp(linear, 0.0f, 1.0f)) * 255.0f + 0.5f);
 }
 
 std::array<float, 3> linearFromOklab(float lightness, float a, float b) {

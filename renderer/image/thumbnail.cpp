@@ -12,10 +12,10 @@ std::string Thumbnail::png() const {
     return codec().png(RgbPicture{width, height, rgbBytes(rgba)}.file({}));
 }
 
-Thumbnail thumbnailOf(int width, int height, std::span<const float> rgba) {
+Thumbnail thumbnailOf(int width, int height, std::span<const float> rgba, int mostWide) {
     assert(rgba.size() == std::size_t(width) * std::size_t(height) * 4);
     Thumbnail small;
-    small.width = std::min(width, kThumbnailWidth);
+    small.width = std::min(width, mostWide);
     small.height = std::max(1, int((std::int64_t(height) * small.width + width / 2) / width));
     const auto edge = [](int i, int from, int to) { return int(std::int64_t(i) * to / from); };
     for (int y = 0; y < small.height; ++y) {

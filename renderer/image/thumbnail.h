@@ -20,9 +20,9 @@ struct Thumbnail {
     std::string png() const;
 };
 
-/// At most kThumbnailWidth wide, each pixel the mean of those it stands for.
+/// At most `mostWide` pixels wide, each the mean of those it stands for.
 /// @param rgba  width x height interleaved pixels
-Thumbnail thumbnailOf(int width, int height, std::span<const float> rgba);
+Thumbnail thumbnailOf(int width, int height, std::span<const float> rgba, int mostWide = kThumbnailWidth);
 
 /// Of a decoded picture; grey ones become colours.
 Thumbnail thumbnailOf(const DecodedImage& image);

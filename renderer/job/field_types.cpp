@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "diagnostics/json_number.h"
+
 namespace umbrage {
 namespace {
 
@@ -25,12 +27,6 @@ std::string described(const std::string& noun, const Limits& limits) {
 template <class T>
 std::string anyOf(const std::vector<T>& values) {
     return fmt::format("{}{}", values.size() == 1 ? "" : "one of ", fmt::join(values, ", "));
-}
-
-// A whole number as such: an integer's limit is 1, not 1.0.
-Json shortestNumber(double value) {
-    if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<long long>(value);
-    return value;
 }
 
 Json limited(const char* type, const Limits& limits) {

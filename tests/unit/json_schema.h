@@ -86,6 +86,8 @@ private:
         if (type == "integer") return value.is_number_integer();
         if (type == "boolean") return value.is_boolean();
         if (type == "number") return value.is_number();
+        if (type == "boolean") return value.is_boolean();
+        if (type == "null") return value.is_null();
         ADD_FAILURE() << "the schema has the type " << type << ", which this test does not know";
         return false;
     }

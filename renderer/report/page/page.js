@@ -1,22 +1,8 @@
-'use strict';
 (() => {
 const { file, thumbnails, colors, dashes } = JSON.parse(document.getElementById('data').textContent);
 const { frames, counters, quantities, summary } = file;
 const numbers = frames.map((f) => f.frame);
 const lights = Object.keys(summary.lights);
-const byId = (id) => document.getElementById(id);
-
-function make(name, attributes = {}, ...children) {
-  const isSvg = ['svg', 'g', 'line', 'polyline', 'polygon', 'rect', 'text', 'title'].includes(name);
-  const element = isSvg ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.append(...children);
-  return element;
-}
-
-const format = (value) => value === undefined ? '' :
-  value.toLocaleString('en-US', { maximumFractionDigits: Math.abs(value) >= 1000 ? 0 : Math.abs(value) >= 10 ? 2 : 3 });
-const short = (value) => value.toLocaleString('en-US', { notation: 'compact', maximumSignificantDigits: 3 });
 const color = (i) => colors[i % colors.length];
 const dash = (i) => dashes[Math.floor(i / colors.length) % dashes.length];
 const swatch = (i) => make('span', { class: 'swatch', style: dash(i) === 0 ? `background:${color(i)}` :
@@ -31,16 +17,6 @@ function go(index) {
   if (index === current || frames.length === 0) return;
   current = index;
   for (const watch of watchers) watch(index);
-}
-
-function ticks(low, high, count) {
-  const wanted = (high - low) / count || 1, power = 10 ** Math.floor(Math.log10(wanted));
-  const step = [1, 2, 5, 10].map((f) => f * power).find((s) => s >= wanted);
-  const list = [];
-  for (let i = Math.floor(low / step); ; ++i) {
-    list.push(i * step);
-    if (i * step >= high && list.length > 1) return list;
-  }
 }
 
 // Curves over the frames, or areas on top of each other. series: [{name, index, values: [number or undefined]}]
@@ -107,40 +83,6 @@ function lightChart(name) {
     .filter((s) => s.values.some((v) => v !== undefined));
   if (series.length === 0 && whole.some((v) => v !== undefined)) series.push({ name: 'frame', index: 0, values: whole });
   if (series.length > 0) chart('chart-' + name.replace(/\./g, '-'), name, counters[name].unit, counters[name].doc, series, false);
-}
-
-// rows: [{key, go, cells: [value]}]; the first column names the row.
-function sortable(holder, caption, columns, rows) {
-  const body = make('tbody');
-  const show = (list) => body.replaceChildren(...list.map((row) => row.element));
-  for (const row of rows) {
-    row.element = make('tr', {}, ...row.cells.map((cell, c) => {
-      const td = make('td', { 'data-value': cell === undefined ? '' : cell });
-      if (c === 0 && row.go) {
-        const button = make('button', { type: 'button' }, String(cell));
-        button.addEventListener('click', row.go);
-        td.append(button);
-      } else {
-        td.append(typeof cell === 'number' ? format(cell) : cell || '');
-      }
-      return td;
-    }));
-  }
-  const heads = columns.map((column, c) => {
-    const button = make('button', { type: 'button', title: column.doc || '' }, column.name);
-    const th = make('th', { scope: 'col' }, button);
-    button.addEventListener('click', () => {
-      const order = th.getAttribute('aria-sort') === 'descending' || (c === 0 && !th.hasAttribute('aria-sort')) ? 1 : -1;
-      for (const other of heads) other.removeAttribute('aria-sort');
-      th.setAttribute('aria-sort', order > 0 ? 'ascending' : 'descending');
-      const compare = (a, b) => a === undefined ? (b === undefined ? 0 : 1) : b === undefined ? -1 :
-        order * (typeof a === 'number' ? a - b : a.localeCompare(b));
-      show([...rows].sort((a, b) => compare(a.cells[c], b.cells[c])));
-    });
-    return th;
-  });
-  show(rows);
-  holder.replaceChildren(make('table', { 'aria-label': caption }, make('thead', {}, make('tr', {}, ...heads)), body));
 }
 
 const named = Object.keys(counters);

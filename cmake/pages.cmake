@@ -1,0 +1,16 @@
+# The texts of a room's pages, ROOM/page/*.html, *.css and *.js, become strings: NAME.EXT replaces @NAME_EXT@ in
+# ROOM/page/page_text.cpp.in.
+function(page_texts room)
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${room}/page)
+  file(GLOB texts CONFIGURE_DEPENDS ${folder}/*.html ${folder}/*.css ${folder}/*.js)
+  foreach(text ${texts})
+    get_filename_component(name ${text} NAME)
+    string(REPLACE "." "_" name ${name})
+    string(TOUPPER ${name} name)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${text})
+    file(READ ${text} ${name})
+  endforeach()
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${room}_page_text.cpp)
+  configure_file(${folder}/page_text.cpp.in ${source} @ONLY)
+  target_sources(umbrage_${room} PRIVATE ${source})
+endfunction()
