@@ -6,7 +6,10 @@
 #include "commands.h"
 #include "exit_codes.h"
 #include "golden/compare_folders.h"
+#include "golden/comparison_page.h"
+#include "golden/reports.h"
 #include "golden_input.h"
+#include "image/image.h"
 #include "interrupt.h"
 #include "progress.h"
 #include "say.h"
@@ -27,6 +30,53 @@ void print(const Comparison& comparison, bool all) {
         if (counts[k] > 0) sums += fmt::format("{}{} {}", sums.empty() ? "" : ", ", counts[k], kOutcomes[k].name);
     }
     fmt::print("{} pictures: {}\n", comparison.images.size(), sums);
+}
+
+/// A picture as the page wants it; integers as floats, of which a page shows no more digits.
+PagePicture pageOf(const StoredImage& image) {
+    PagePicture page{image.data.width, image.data.height, {}, {}, image.displayEncoded};
+    page.values.resize(image.pixelCount() * image.channels.size());
+    for (std::size_t k = 0; k < image.channels.size(); ++k) {
+        page.channels.push_back(image.channels[k].name);
+        const auto spread = [&](const auto& values) {
+            for (std::size_t i = 0; i < values.size(); ++i)
+                page.values[i * image.channels.size() + k] = float(values[i]);
+        };
+        std::visit(spread, image.channels[k].values);
+    }
+    return page;
+}
+
+std::optional<PagePicture> pageOf(const std::filesystem::path& file) {
+    try {
+        return pageOf(codec().read(file));
+    } catch (const Error&) {
+        return std::nullopt;  // the result says so
+    }
+}
+
+std::string pageOf(const Comparison& comparison) {
+    return comparisonPage(comparison, [&](const ImageResult& image) -> std::optional<PagePictures> {
+        const auto file = [&](const std::string& place) {
+            const std::filesystem::path path = place;
+            return std::filesystem::is_directory(path) ? path / image.name : path;
+        };
+        return PagePictures{pageOf(file(comparison.golden)), pageOf(file(comparison.output))};
+    });
+}
+
+void write(const Comparison& comparison, const CompareCommandOptions& options) {
+    const auto as = [&](const std::string& file, const auto& textOf) {
+        if (file.empty()) return;
+        const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+        writeWhole(file, textOf(relativeTo(folder, comparison)));
+    };
+    as(options.json, comparisonJson);
+    as(options.junit, comparisonJunit);
+    as(options.csv, comparisonCsv);
+    as(options.markdown, comparisonMarkdown);
+    if (!options.html.empty()) writeWhole(options.html, pageOf(comparison));
+    if (options.annotations) fmt::print("{}", comparisonAnnotations(comparison));
 }
 
 }  // namespace
@@ -53,6 +103,7 @@ int runCompare(const CompareCommandOptions& options, bool quiet) {
     comparison.renderCommand = input.renderCommand;
     comparison.acceptCommand = input.acceptCommand;
     print(comparison, options.all);
+    write(comparison, options);
     return comparison.passes() ? kOk : kFramesFailed;
 }
 

@@ -296,6 +296,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
     schemaCommand->add_flag("--markdown", schema.markdown, "the reference page instead");
     schemaCommand->add_flag("--statistics", schema.statistics, "of statistics files instead");
     schemaCommand->add_flag("--bench", schema.bench, "of bench files instead; with --markdown their reference page");
+    schemaCommand->add_flag("--comparison", schema.comparison, "of comparisons (compare --json) instead");
     schemaCommand->add_flag("--aovs", schema.aovs, "the reference page of the AOVs instead");
     try {
         app.parse(argc, argv);

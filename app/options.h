@@ -81,7 +81,7 @@ struct StatsOptions {
 };
 
 struct SchemaOptions {
-    bool markdown = false, aovs = false, statistics = false, bench = false;
+    bool markdown = false, aovs = false, statistics = false, bench = false, comparison = false;
 };
 
 struct Options {

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "diagnostics/statistics_file.h"
 #include "exit_codes.h"
+#include "golden/reports.h"
 #include "job/aovs.h"
 #include "job/job.h"
 
@@ -13,6 +14,7 @@ namespace umbrage {
 int runSchema(const SchemaOptions& options) {
     const bool page = options.markdown;
     const std::string text = options.aovs         ? aovReference()
+                             : options.comparison ? comparisonSchema()
                              : options.bench      ? (page ? benchReference() : benchSchema())
                              : options.statistics ? (page ? statisticsReference() : statisticsSchema())
                                                   : (page ? jobReference() : jobSchema());

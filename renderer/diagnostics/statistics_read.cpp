@@ -55,7 +55,7 @@ BudgetResult readBudget(const Node& node, const StatisticsFile& file) {
     if (result.atLeast && node.has("max")) node.fail("has both \"min\" and \"max\"");
     result.limit = node.member(result.atLeast ? "min" : "max").number();
     if (node.has("value")) result.value = node.member("value").number();
-    if (node.has("frame")) result.frame = node.member("frame").frameNumber();
+    if (node.has("frame")) result.frame = node.member("frame").integer();
     if (node.has("light")) result.light = node.member("light").string();
     result.exceeded = node.member("exceeded").boolean();
     return result;
