@@ -40,17 +40,25 @@ void addJob(CLI::App& app, JobOptions& o) {
     app.add_option("--set", o.set, "override a value: shadow.count=z-fail (repeatable)")->allow_extra_args(false);
 }
 
-void addBudget(CLI::App& app, std::vector<std::string>& budgets) {
-    const auto check = [](const std::string& text) {
+/// An option that may be given several times.
+/// @param form  such as NAME=VALUE
+CLI::Option* addAssignments(CLI::App& app, const char* name, std::vector<std::string>& values, const char* doc,
+                            const std::string& form, const char* example) {
+    const auto check = [=](const std::string& text) {
         return text.find('=') == std::string::npos || text.front() == '='
-                   ? fmt::format("\"{}\" is not FIGURE=LIMIT, such as overdraw.p95=6", text)
+                   ? fmt::format("\"{}\" is not {}, such as {}", text, form, example)
                    : std::string();
     };
-    app.add_option("--budget", budgets,
-                   "fail where a frame has more: overdraw.p95=6, edges.silhouette={min: 1} (repeatable)")
+    return app.add_option(name, values, doc)
         ->allow_extra_args(false)
         ->check(CLI::Validator(check, ""))
-        ->option_text("FIGURE=LIMIT");
+        ->option_text(form);
+}
+
+void addBudget(CLI::App& app, std::vector<std::string>& budgets) {
+    addAssignments(app, "--budget", budgets,
+                   "fail where a frame has more: overdraw.p95=6, edges.silhouette={min: 1} (repeatable)",
+                   "FIGURE=LIMIT", "overdraw.p95=6");
 }
 
 /// An option whose value is one of a few names.
@@ -205,7 +213,12 @@ void addStats(CLI::App& app, StatsOptions& o) {
     app.add_option("--light", o.light, "only lights whose id this glob matches");
     CLI::Option* counter =
         app.add_option("--counter", o.counter, "only counters that this glob matches; with --plot, the one to plot");
-    app.add_option("--compare", o.compare, "print what is different in this statistics file");
+    CLI::Option* compare = app.add_option("--compare", o.compare, "print what is different in this statistics file");
+    addAssignments(app, "--tolerance", o.tolerances,
+                   "with --compare: fail where a column is off by more than this share, such as 'overdraw.*=0.01' or "
+                   "'memory.*=skip'; others must be equal, but times are skipped (repeatable)",
+                   "GLOB=SHARE", "overdraw.*=0.01")
+        ->needs(compare);
     addBudget(app, o.budgets);
     app.add_option("--merge", o.merge, "write all inputs as one statistics file")->check(endingWith({".json"}));
     app.add_option("--csv", o.csv, "write them as a table for spreadsheets, pandas and R");

@@ -77,7 +77,8 @@ struct StatsOptions {
     std::vector<std::string> inputs;     // statistics files (.json)
     std::string frames, light, counter;  // what to look at; empty: everything
     std::string merge, compare, csv, html, plot;
-    std::vector<std::string> budgets;  // FIGURE=LIMIT
+    std::vector<std::string> budgets;     // FIGURE=LIMIT
+    std::vector<std::string> tolerances;  // GLOB=SHARE or GLOB=skip
 };
 
 struct SchemaOptions {

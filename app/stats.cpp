@@ -9,12 +9,15 @@
 #include "budgets.h"
 #include "commands.h"
 #include "diagnostics/statistics_merge.h"
+#include "error.h"
 #include "exit_codes.h"
+#include "golden/compare_statistics.h"
 #include "image/thumbnail.h"
 #include "job/frame_range.h"
 #include "job/glob.h"
 #include "job/job.h"
 #include "job/nearest.h"
+#include "job/yaml_tree.h"
 #include "report/statistics_compare.h"
 #include "report/statistics_page.h"
 #include "report/statistics_plot.h"
@@ -38,6 +41,36 @@ StatisticsSelection selectionOf(const StatsOptions& options) {
     // A plot takes its one counter from all of them, so that a misspelt one gets an answer.
     if (!options.counter.empty() && options.plot.empty()) selection.name = matching(options.counter);
     return selection;
+}
+
+/// @throws Error(Usage)
+std::vector<StatisticsTolerance> tolerancesOf(const std::vector<std::string>& assignments) {
+    std::vector<StatisticsTolerance> tolerances;
+    for (const std::string& text : assignments) {
+        const std::size_t equals = text.rfind('=');
+        const YamlNode value{.kind = YamlNode::Kind::Scalar, .plain = true, .scalar = text.substr(equals + 1)};
+        StatisticsTolerance& tolerance = tolerances.emplace_back(StatisticsTolerance{text.substr(0, equals)});
+        if (value.scalar == "skip") continue;
+        tolerance.share = numberOf(value);
+        if (!tolerance.share || *tolerance.share < 0.0) {
+            throw Error(ErrorKind::Usage, "--tolerance", fmt::format("\"{}\" is no share of at least 0", value.scalar),
+                        "a number such as 0.01, or skip");
+        }
+    }
+    return tolerances;
+}
+
+/// @return  the exit code that the differences ask for
+ExitCode printComparison(const StatisticsFile& before, const StatisticsFile& after,
+                         const std::vector<StatisticsTolerance>& tolerances) {
+    if (tolerances.empty()) {
+        fmt::print("{}", comparisonTable(before, after));
+        return kOk;
+    }
+    const std::vector<StatisticsResult> results = compareWithin(before, after, tolerances);
+    fmt::print("{}", withinTable(results));
+    const auto passes = [](const StatisticsResult& result) { return infoOf(result.outcome).passes; };
+    return std::ranges::all_of(results, passes) ? kOk : kFramesFailed;
 }
 
 /// @param budgets  besides those of the file, or instead of those on the same figures
@@ -80,6 +113,7 @@ void writePlot(const fs::path& file, const Plot& plot) {
 int runStats(const StatsOptions& options) {
     const StatisticsSelection selection = selectionOf(options);
     std::vector<NamedStatistics> files;
+    const std::vector<StatisticsTolerance> tolerances = tolerancesOf(options.tolerances);
     const std::vector<Budget> budgets = parseBudgets(options.budgets);
     for (const std::string& input : options.inputs) files.push_back(selectedFrom(input, selection, budgets));
     const bool makesFiles =
@@ -99,10 +133,12 @@ int runStats(const StatsOptions& options) {
         writeWhole(options.html, statisticsPage(all, thumbnailsBeside(options.inputs.front(), all)));
     }
     if (!options.plot.empty()) writePlot(options.plot, statisticsPlot(all, options.counter));
+    ExitCode exitCode = sayBudgets(all.budgets, "");
     if (!options.compare.empty()) {
-        fmt::print("{}", comparisonTable(all, selectedFrom(options.compare, selection, {}).file));
+        const StatisticsFile after = selectedFrom(options.compare, selection, {}).file;
+        exitCode = std::max(exitCode, printComparison(all, after, tolerances));
     }
-    return sayBudgets(all.budgets, "");
+    return exitCode;
 }
 
 }  // namespace umbrage

@@ -172,7 +172,9 @@ FrameOutputs neededOutputs(const Job& job) {
     addNeeds(job.diagnostics.overlays, outputs);
     outputs.radiance = !job.diagnostics.only;
     // Counting costs far more than the picture, so a budget on time or memory alone does without.
-    outputs.figures = job.statistics.isWritten() || anyNeeds(job.statistics.budgets, BudgetNeeds::Figures);
+    const bool counts = anyNeeds(job.statistics.budgets, BudgetNeeds::Counts);
+    outputs.counts = outputs.counts || counts;
+    outputs.figures = job.statistics.isWritten() || counts || anyNeeds(job.statistics.budgets, BudgetNeeds::Figures);
     outputs.scene = outputs.scene || outputs.figures;
     return outputs;
 }

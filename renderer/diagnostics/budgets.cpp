@@ -106,7 +106,7 @@ std::vector<std::string> budgetFigures() {
 BudgetNeeds needsOf(const std::string& name) {
     if (name == "memory.peak") return BudgetNeeds::Memory;
     const auto counter = std::ranges::find(kCounters, name, &CounterInfo::name);
-    if (counter == kCounters.end()) return BudgetNeeds::Figures;
+    if (counter == kCounters.end()) return name.starts_with("stencil.") ? BudgetNeeds::Counts : BudgetNeeds::Figures;
     const std::string_view group = groupOf(std::size_t(counter - kCounters.begin())).name;
     return group == "time" ? BudgetNeeds::Times : group == "ratio" ? BudgetNeeds::Ratio : BudgetNeeds::Figures;
 }

@@ -40,6 +40,7 @@ struct BudgetResult {
 /// What has to be measured for a budget.
 enum class BudgetNeeds : std::uint8_t {
     Figures,  // counters and distributions of each frame
+    Counts,   // and how many volumes hold each pixel, without the skips that change that
     Memory,   // of the process
     Times,    // of the passes
     Ratio,    // each frame with and without shadows

@@ -63,7 +63,8 @@ std::string statisticsReference() {
            "figure is a counter, or a\n"
            "quantity with one of the figures above. Judged is the frame as a whole, its lights, casters and materials "
            "combined as *of several*\n"
-           "says; `stencil.*`, which a whole frame has not, light by light. Where any frame breaks a budget, "
+           "says; `stencil.*`, which a whole frame has not, light by light (it reads counts, so the skips that change "
+           "them are off). Where any frame breaks a budget, "
            "everything "
            "is still written, each\n"
            "broken budget has a line on stderr with the worst frame, its value and how far it is over, and the exit "
@@ -101,6 +102,8 @@ std::string statisticsReference() {
            "    umbrage stats FILE.json --frames 10-20 --light 'Torch*' --counter 'overdraw.*'\n"
            "    umbrage stats shard*.json --merge ALL.json      # parts of one sequence\n"
            "    umbrage stats FILE.json --compare AFTER.json    # what changed\n"
+           "    umbrage stats FILE.json --compare AFTER.json --tolerance 'overdraw.*=0.01'    # exit code 1 where "
+           "more\n"
            "    umbrage stats FILE.json --plot FILE.svg --counter overdraw.fragments    # or FILE.png\n"
            "    umbrage stats FILE.json --csv FILE.csv --html FILE.html\n"
            "    umbrage stats FILE.json --budget overdraw.p95=6 --budget 'edges.silhouette={min: 1}'    # exit code 1 "
@@ -118,7 +121,15 @@ std::string statisticsReference() {
            "95 % interval is that of the sign test (two order statistics, whatever the distribution), and only an "
            "interval without 1 is marked.\n"
            "Fewer than six frames have none. The frames of a run share a machine and its moods: repeat runs before you "
-           "believe small changes.\n";
+           "believe small changes.\n"
+           "\n"
+           "With `--tolerance GLOB=SHARE` the second file is judged by the first, column by column: the worst frame "
+           "may "
+           "be off by that share of\n"
+           "the first's value, `skip` leaves columns out, and the last that matches counts. Other counts must be "
+           "equal; "
+           "what is measured is\n"
+           "skipped. Frames or numbers that one of them lacks are differences.\n";
 }
 
 }  // namespace umbrage

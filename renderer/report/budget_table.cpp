@@ -35,7 +35,8 @@ std::string budgetText(const BudgetResult& result) {
         const std::string where = result.frame ? fmt::format("in frame {}", *result.frame) : "in any frame";
         return fmt::format("{} has no value {}, so nothing says that it is {}", result.name, where, limitText(result));
     }
-    const std::string unit = result.unit == "count" ? "" : " " + result.unit;
+    const bool isPlain = result.unit == "count" || result.unit == "ratio";
+    const std::string unit = isPlain ? "" : fmt::format(" {}", result.unit);
     return fmt::format("{} is {}{} in frame {}{}, {}{} {} the budget of {}", result.name, readableNumber(*result.value),
                        unit, *result.frame, lightText(result), readableNumber(result.excess()), shareText(result),
                        result.atLeast ? "under" : "over", readableNumber(result.limit));

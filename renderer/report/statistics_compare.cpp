@@ -19,32 +19,6 @@ namespace {
 
 constexpr double kNoRatio = std::numeric_limits<double>::quiet_NaN();
 
-std::string placeText(const StatisticsPlace& place) {
-    std::string text;
-    for (const Dimension& dimension : kDimensions) text += place.*dimension.name;
-    return text;
-}
-
-/// Numbers by name, for the two files may have different tables; of distributions their figures.
-using NamedFrames = std::map<int, std::map<StatisticsPlace, std::map<std::string, double>>>;
-
-NamedFrames namedFrames(const StatisticsFile& file) {
-    NamedFrames frames;
-    for (const auto& [frame, places] : file.frames) {
-        for (const auto& [place, figures] : withWholes(file, places)) {
-            if (dimensionsOf(place) > 1) continue;
-            std::map<std::string, double>& named = frames[frame][place];
-            for (const auto& [index, value] : figures.values) named[file.counters[index].name] = value;
-            for (const auto& [index, distribution] : figures.distributions) {
-                for (const DistributionFigure& figure : kDistributionFigures) {
-                    named[figureName(file.quantities[index].name, figure)] = figure.of(distribution);
-                }
-            }
-        }
-    }
-    return frames;
-}
-
 StatisticsFile framesIn(const StatisticsFile& file, const StatisticsFile& other) {
     return selectedStatistics(file, {.frame = [&](int frame) { return other.frames.contains(frame); }});
 }
@@ -163,6 +137,29 @@ std::vector<std::string> onlyIn(const std::string& place, const char* when) {
 }
 
 }  // namespace
+
+std::string placeText(const StatisticsPlace& place) {
+    std::string text;
+    for (const Dimension& dimension : kDimensions) text += place.*dimension.name;
+    return text;
+}
+
+NamedFrames namedFrames(const StatisticsFile& file) {
+    NamedFrames frames;
+    for (const auto& [frame, places] : file.frames) {
+        for (const auto& [place, figures] : withWholes(file, places)) {
+            if (dimensionsOf(place) > 1) continue;
+            std::map<std::string, double>& named = frames[frame][place];
+            for (const auto& [index, value] : figures.values) named[file.counters[index].name] = value;
+            for (const auto& [index, distribution] : figures.distributions) {
+                for (const DistributionFigure& figure : kDistributionFigures) {
+                    named[figureName(file.quantities[index].name, figure)] = figure.of(distribution);
+                }
+            }
+        }
+    }
+    return frames;
+}
 
 std::optional<std::pair<double, double>> medianInterval(std::vector<double> values) {
     std::sort(values.begin(), values.end());

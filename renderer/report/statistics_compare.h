@@ -2,6 +2,7 @@
 // Two runs of a sequence: what changed, and whether it is more than noise.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,14 @@ struct StatisticsChange {
 /// The median's 95 % interval from the sign test: two order statistics of the values, whatever their distribution is.
 /// @param values  in any order; with fewer than six there is none
 std::optional<std::pair<double, double>> medianInterval(std::vector<double> values);
+
+/// Each frame's numbers by place and name, parts combined to wholes; of distributions their figures. Without parts of
+/// parts.
+using NamedFrames = std::map<int, std::map<StatisticsPlace, std::map<std::string, double>>>;
+NamedFrames namedFrames(const StatisticsFile& file);
+
+/// The light, caster or material; empty for the whole.
+std::string placeText(const StatisticsPlace& place);
 
 struct StatisticsComparison {
     std::vector<StatisticsChange> changes;

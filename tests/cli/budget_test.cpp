@@ -118,6 +118,23 @@ TEST_F(Budgets, OnTimesAreMeasuredWithTheProfile) {
     EXPECT_FALSE(read("out/n.json")["frames"][0]["values"].contains("time.frame.ratio"));
 }
 
+TEST_F(Budgets, OnStencilCountsReadThemAndNameTheLight) {
+    writeSequence("statistics: {path: n.json}\noutput: {aovs: {}}\n");
+    const Result result = umbrage({"render", "seq.yaml", "--frames", "1", "--budget", "stencil.max=0"});
+    EXPECT_EQ(result.exitCode, 1);
+    ASSERT_EQ(linesOf(result).size(), 1u) << result.err;
+    const Json lights = read("n.json")["frames"][0]["lights"];
+    std::string worst;
+    double most = 0.0;
+    for (const auto& [light, figures] : lights.items()) {
+        const double value = figures["distributions"]["stencil"]["max"];
+        if (value > most) most = value, worst = light;
+    }
+    EXPECT_EQ(linesOf(result)[0], "stencil.max is " + std::to_string(int(most)) + " volumes/pixel in frame 1, light " +
+                                      worst + ", " + std::to_string(int(most)) + " over the budget of 0");
+    EXPECT_THAT(result.err, HasSubstr("counts are asked for, so the skips that change them are off"));
+}
+
 TEST_F(Budgets, OnMemoryNeedNoProfile) {
     writeSequence("output: {aovs: {}}\n");
     const Result result = umbrage({"render", "seq.yaml", "-q", "--frames", "1", "--budget", "memory.peak=1"});

@@ -107,6 +107,30 @@ TEST_F(Stats, ComparesCountsExactlyAndEndsWell) {
     EXPECT_THAT(changed.out, ContainsRegex("\nBox_BoxLight +overdraw.fragments "));
 }
 
+TEST_F(Stats, JudgesByTolerances) {
+    render("1-2", "a.json");
+    render("1-2", "b.json");
+    Json other = read("b.json");
+    Json& triangles = other["frames"][1]["values"]["triangles"];
+    ASSERT_EQ(triangles, 456);
+    triangles = 460;
+    writeFile("b.json", other.dump());
+    const Result within = umbrage({"stats", "a.json", "--compare", "b.json", "--tolerance", "triangles=0.01"});
+    EXPECT_EQ(within.exitCode, 0) << within.out;
+    EXPECT_THAT(within.out, ContainsRegex("^[0-9]+ pass, [0-9]+ skipped\n$"));
+    const Result over = umbrage({"stats", "a.json", "--compare", "b.json", "--tolerance", "triangles=0.008"});
+    EXPECT_EQ(over.exitCode, 1);
+    EXPECT_THAT(over.out, ContainsRegex("\ntriangles +2 +456 +460 +fail +0.877 % off, 0.8 % is allowed\n"));
+    EXPECT_EQ(umbrage({"stats", "a.json", "--compare", "b.json", "--tolerance", "edges=0"}).exitCode, 1)
+        << "other counts must be equal";
+    EXPECT_EQ(umbrage({"stats", "a.json", "--compare", "b.json", "--tolerance", "tri*=skip"}).exitCode, 0);
+    expectRefused({"stats", "a.json", "--tolerance", "triangles=0"}, 2, "--compare");
+    expectRefused({"stats", "a.json", "--compare", "b.json", "--tolerance", "triangles"}, 2, "is not GLOB=SHARE");
+    expectRefused({"stats", "a.json", "--compare", "b.json", "--tolerance", "triangles=-1"}, 2,
+                  "\"-1\" is no share of at least 0");
+    expectRefused({"stats", "a.json", "--compare", "b.json", "--tolerance", "triangles=few"}, 2, "or skip");
+}
+
 TEST_F(Stats, PlotsAsSvgAndPng) {
     render("1-3", "a.json");
     const Result result = umbrage({"stats", "a.json", "--plot", "p.svg", "--counter", "edges.silhouette"});

@@ -118,6 +118,7 @@ TEST(Budgets, SayWhatHasToBeMeasured) {
     EXPECT_EQ(needsOf("overdraw.p95"), BudgetNeeds::Figures);
     EXPECT_EQ(needsOf("edges.silhouette"), BudgetNeeds::Figures);
     EXPECT_EQ(needsOf("memory.device"), BudgetNeeds::Figures);
+    EXPECT_EQ(needsOf("stencil.max"), BudgetNeeds::Counts);
     EXPECT_EQ(needsOf("memory.peak"), BudgetNeeds::Memory);
     EXPECT_EQ(needsOf("time.frame"), BudgetNeeds::Times);
     for (const char* name : {"time.picture", "time.unshadowed", "time.frame.ratio"}) {
