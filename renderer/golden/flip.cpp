@@ -105,6 +105,12 @@ float errorOf(const Percept& a, const Percept& b, std::size_t i) {
     return std::pow(color, 1.0f - std::sqrt(std::min(1.0f, feature / std::sqrt(2.0f))));
 }
 
+double medianOf(std::vector<float> values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 /// Narkowicz's fit to ACES with its exposure of 0.6 taken in: (a x^2 + b x) / (c x^2 + d x + e).
 constexpr double kToneA = 0.36 * 2.51, kToneB = 0.6 * 0.03, kToneC = 0.36 * 2.43, kToneD = 0.6 * 0.59, kToneE = 0.14;
 
@@ -138,15 +144,14 @@ FlipMap flipMap(const LinearPicture& reference, const LinearPicture& test, doubl
 }
 
 ExposureRange exposuresOf(const LinearPicture& reference) {
-    std::vector<float> luminances;
+    std::vector<float> all, bright;
     for (std::size_t i = 0; i < reference.rgb.size() / 3; ++i) {
-        const float luminance = flip::luminanceOf(colorAt(reference, i));
-        if (luminance > 0.0f) luminances.push_back(luminance);
+        all.push_back(flip::luminanceOf(colorAt(reference, i)));
+        if (all.back() > 0.0f) bright.push_back(all.back());
     }
-    if (luminances.empty()) return {};
-    const auto middle = luminances.begin() + std::ptrdiff_t(luminances.size() / 2);
-    std::nth_element(luminances.begin(), middle, luminances.end());
-    const double median = *middle, brightest = *std::max_element(luminances.begin(), luminances.end());
+    if (bright.empty()) return {};
+    const double brightest = *std::max_element(bright.begin(), bright.end());
+    const double medianOfAll = medianOf(all), median = medianOfAll > 0.0 ? medianOfAll : medianOf(bright);
 
     // The x whose tone mapped value is 0.85: the positive root of (a - 0.85 c) x^2 + (b - 0.85 d) x - 0.85 e.
     constexpr double kTarget = 0.85;
@@ -172,6 +177,14 @@ FlipMap hdrFlipMap(const LinearPicture& reference, const LinearPicture& test, do
     return map;
 }
 
+double meanError(const FlipMap& map) {
+    return std::accumulate(map.begin(), map.end(), 0.0) / double(map.size());
+}
+
+double largestError(const FlipMap& map) {
+    return *std::max_element(map.begin(), map.end());
+}
+
 double weightedPercentile(const FlipMap& map, double share) {
     FlipMap sorted = map;
     std::sort(sorted.begin(), sorted.end());
@@ -181,15 +194,7 @@ double weightedPercentile(const FlipMap& map, double share) {
         below += value;
         if (below > 0.0 && below >= share * total) return value;
     }
-    return sorted.empty() ? 0.0 : sorted.back();
-}
-
-FlipSummary summarise(const FlipMap& map) {
-    FlipSummary summary;
-    summary.mean = std::accumulate(map.begin(), map.end(), 0.0) / double(map.size());
-    summary.largest = *std::max_element(map.begin(), map.end());
-    summary.weightedMedian = weightedPercentile(map, 0.5);
-    return summary;
+    return sorted.back();
 }
 
 }  // namespace umbrage

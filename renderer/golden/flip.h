@@ -17,7 +17,7 @@ struct LinearPicture {
     std::vector<float> rgb;
 };
 
-/// An error in [0, 1] for each pixel, rows from the top.
+/// An error in [0, 1] for each pixel, rows from the top; at least one of them.
 using FlipMap = std::vector<float>;
 
 /// FLIP of two pictures of one size as a display shows them: values are clamped to [0, 1].
@@ -34,8 +34,8 @@ struct ExposureRange {
 };
 
 /// From the exposure that brings the reference's brightest pixel to 0.85 on the display to the one that brings its
-/// median there, about a stop apart, two at least. The median is of pixels that are not black (the paper's is of all):
-/// most of a frame may be background. They end kMaximumExposureStops after the first: beyond, there is noise to see
+/// median there, about a stop apart, two at least. Where the median is black, for most of a frame may be background, it
+/// is that of the other pixels. Exposures end kMaximumExposureStops after the first: beyond, there is noise to see
 /// only. Of a black reference: exposure 0 alone.
 ExposureRange exposuresOf(const LinearPicture& reference);
 
@@ -44,14 +44,11 @@ inline constexpr double kMaximumExposureStops = 24.0;
 /// The largest error of each pixel over all exposures, tone mapped by the fit to ACES that the paper uses by default.
 FlipMap hdrFlipMap(const LinearPicture& reference, const LinearPicture& test, double pixelsPerDegree);
 
-/// What of a map limits are set on.
-struct FlipSummary {
-    double mean = 0.0, largest = 0.0;
-    double weightedMedian = 0.0;  // errors above it add up to half of all error; 0 without error
-};
-FlipSummary summarise(const FlipMap& map);
+double meanError(const FlipMap& map);
+double largestError(const FlipMap& map);
 
-/// The value above which errors add up to the share 1 - `share` of all error; 0 without error.
+/// The least error such that those up to it add up to `share` of all error; 0 without error. That of 0.5 is the
+/// weighted median.
 /// @param share  in [0, 1]
 double weightedPercentile(const FlipMap& map, double share);
 

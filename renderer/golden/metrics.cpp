@@ -175,11 +175,11 @@ Measured measure(const StoredImage& golden, const StoredImage& output, const Mea
          [&] { return double(std::count(sums.over.begin(), sums.over.end(), 1)) / double(sums.over.size()); }},
         {"densest", [&] { return densestShare(sums.over, width, height, settings.window); }},
         {"uint-different", [&] { return double(sums.different); }},
-        {"flip", [&] { return perception.flip().mean; }},
-        {"flip-median", [&] { return perception.flip().weightedMedian; }},
-        {"flip-max", [&] { return perception.flip().largest; }},
-        {"hdr-flip", [&] { return perception.hdrFlip().mean; }},
-        {"hdr-flip-max", [&] { return perception.hdrFlip().largest; }},
+        {"flip", [&] { return meanError(perception.flip()); }},
+        {"flip-median", [&] { return weightedPercentile(perception.flip(), 0.5); }},
+        {"flip-max", [&] { return largestError(perception.flip()); }},
+        {"hdr-flip", [&] { return meanError(perception.hdrFlip()); }},
+        {"hdr-flip-max", [&] { return largestError(perception.hdrFlip()); }},
         {"yee", [&] { return perception.yeeShare(); }},
     };
     for (const std::string& name : wanted) {

@@ -39,7 +39,8 @@ struct Measured {
 /// integer ones, flip and yee colours (R, G, B or Y), hdr-flip linear ones.
 bool applies(std::string_view metric, const StoredImage& image);
 
-/// Sums are taken in double and in one order: equal pictures give equal figures anywhere. A sample that is the same
+/// Sums are taken in double and in one order: equal pictures give equal figures again (FLIP's and yee's last digits are
+/// those of the machine's powers and roots). A sample that is the same
 /// infinity, or a NaN, in both is no difference; one that is so in one of them alone is an infinite difference.
 /// The peak of psnr is 1 for display values, else the largest finite magnitude of the golden, at least 1.
 /// @param golden, output  of one size, with the same channels of the same kinds

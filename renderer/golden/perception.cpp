@@ -62,20 +62,20 @@ void Perception::see() {
     }
 }
 
-FlipSummary Perception::summaryOf(FlipMap map) const {
+FlipMap Perception::withSpoiled(FlipMap map) const {
     for (const std::size_t i : spoiled_) map[i] = 1.0f;
-    return summarise(map);
+    return map;
 }
 
-const FlipSummary& Perception::flip() {
+const FlipMap& Perception::flip() {
     see();
-    if (!flip_) flip_ = summaryOf(flipMap(goldenColors_, outputColors_, pixelsPerDegree_));
+    if (!flip_) flip_ = withSpoiled(flipMap(goldenColors_, outputColors_, pixelsPerDegree_));
     return *flip_;
 }
 
-const FlipSummary& Perception::hdrFlip() {
+const FlipMap& Perception::hdrFlip() {
     see();
-    if (!hdrFlip_) hdrFlip_ = summaryOf(hdrFlipMap(goldenColors_, outputColors_, pixelsPerDegree_));
+    if (!hdrFlip_) hdrFlip_ = withSpoiled(hdrFlipMap(goldenColors_, outputColors_, pixelsPerDegree_));
     return *hdrFlip_;
 }
 

@@ -22,20 +22,20 @@ public:
     Perception(const StoredImage& golden, const StoredImage& output, double pixelsPerDegree);
 
     // Only where hasColours().
-    const FlipSummary& flip();
-    const FlipSummary& hdrFlip();
+    const FlipMap& flip();
+    const FlipMap& hdrFlip();
     double yeeShare();
 
 private:
     void see();
-    FlipSummary summaryOf(FlipMap map) const;
+    FlipMap withSpoiled(FlipMap map) const;
 
     const StoredImage &golden_, &output_;
     double pixelsPerDegree_;
     bool seen_ = false;
     LinearPicture goldenColors_, outputColors_;
     std::vector<std::size_t> spoiled_;
-    std::optional<FlipSummary> flip_, hdrFlip_;
+    std::optional<FlipMap> flip_, hdrFlip_;
 };
 
 }  // namespace umbrage
