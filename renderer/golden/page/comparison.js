@@ -10,11 +10,10 @@ let current = -1;
 byId('head').textContent = `${verdict}. Golden: ${comparison.golden}. Output: ${comparison.output}.` +
   (leftOut ? ` The values of ${leftOut} images are left out, which would have made this page too large.` : '');
 
-// How much of its limit the deciding figure takes: over 1 is too much.
 const decided = (image) => image.decision || {};
 const rows = images.map((image, index) => ({
   index, image, go: () => select(index),
-  cells: [image.name, image.outcome, image.aov, image.frame || undefined, decided(image).metric, decided(image).value ?? undefined, decided(image).limit ?? undefined],
+  cells: [image.name, image.outcome, image.aov, image.frame || undefined, decided(image).value ?? undefined, decided(image).limit ?? undefined],
 }));
 const severity = (row) => infoOf[row.image.outcome].passes ? row.image.outcome === 'pass' ? 2 : 1 : 0;
 rows.sort((a, b) => severity(a) - severity(b));
@@ -26,7 +25,7 @@ const named = (row) => {
   return button;
 };
 sortable(byId('images'), 'images', [{ name: 'image', show: named }, { name: 'outcome', show: (row) => badge(row.image.outcome) }, { name: 'aov' },
-  { name: 'frame' }, { name: 'metric' }, { name: 'value', show: (row) => six(row.cells[5]) }, { name: 'limit', show: (row) => six(row.cells[6]) }], rows);
+  { name: 'frame' }, { name: 'value', doc: 'of what decided', show: (row) => six(row.cells[4]) }, { name: 'limit', show: (row) => six(row.cells[5]) }], rows);
 for (const row of rows) row.element.dataset.index = row.index;
 
 // Filters: outcomes that are pressed (none: all), an AOV, and words of the name or the reason.
@@ -139,6 +138,7 @@ for (const [id, title, command] of [['render', 'Render again', comparison.render
   });
   byId('commands').append(make('div', { class: 'command' }, make('span', {}, title), code, button, said));
 }
+byId('origin').parentElement.hidden = !comparison.goldenFrom && !comparison.outputFrom && comparison.notes.length === 0;
 byId('commands').hidden = !comparison.renderCommand && !comparison.acceptCommand;
 const origins = ['goldenFrom', 'outputFrom'].filter((key) => comparison[key]);
 byId('origin').append(...(origins.length === 0 ? [] : Object.keys(comparison[origins[0]]).map((name) => make('tr', {},

@@ -9,7 +9,12 @@ let blinking = 0;
 const encode = (v) => v <= .0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - .055;
 const decode = (v) => v <= .04045 ? v / 12.92 : ((v + .055) / 1.055) ** 2.4;
 const clamp = (v, low, high) => Math.max(low, Math.min(high, v));
-const places = (v) => Number.isFinite(v) ? String(Number(v.toPrecision(7))) : String(v).replace('Infinity', 'inf').toLowerCase();
+// As few digits as tell a float from its neighbours.
+function places(v) {
+  if (!Number.isFinite(v)) return String(v).replace('Infinity', 'inf').toLowerCase();
+  const digits = [6, 7, 8].find((count) => Math.fround(Number(v.toPrecision(count))) === Math.fround(v)) || 9;
+  return String(Number(v.toPrecision(digits)));
+}
 
 function paint(width, height, colorOf) {
   const canvas = make('canvas', { width, height }), context = canvas.getContext('2d');
@@ -97,7 +102,7 @@ function drawHistogram() {
   }
   for (const [bin, pixels] of counts) {
     const level = y(pixels) - 2, bar = make('rect', { x: x(bin), y: level, width: x(bin + 1) - x(bin) - 1, height: height - bottom - level, class: 'bar' });
-    bar.append(make('title', {}, `${places(10 ** (bin / 4)).slice(0, 7)} to ${places(10 ** ((bin + 1) / 4)).slice(0, 7)}: ${pixels} pixels`));
+    bar.append(make('title', {}, `${(10 ** (bin / 4)).toPrecision(3)} to ${(10 ** ((bin + 1) / 4)).toPrecision(3)}: ${pixels} pixels`));
     svg.append(bar);
   }
   for (let bin = first; bin <= last; bin += 4) svg.append(make('text', { x: x(bin), y: height - 5, 'text-anchor': 'middle' }, `1e${bin / 4}`));
@@ -184,7 +189,7 @@ function draw() {
   byId('split-part').hidden = state.mode !== 'slider';
   for (const button of document.querySelectorAll('[data-mode]')) button.setAttribute('aria-pressed', button.dataset.mode === state.mode);
   byId('viewer').dataset.showing = side ? 'all' : state.mode === 'slider' ? 'both' : state.showing;
-  byId('zoom').textContent = `${places(zoomOf(panes.map((p) => p.canvas).find((c) => c.clientWidth) || panes[0].canvas)).slice(0, 5)}x`;
+  byId('zoom').textContent = `${Number(zoomOf(panes.map((p) => p.canvas).find((c) => c.clientWidth) || panes[0].canvas).toFixed(2))}x`;
 }
 
 // A row of values for each picture; linear and display values of colour, else what is stored.
@@ -205,7 +210,7 @@ function readOut() {
       rows.push(row(`${which} linear`, shown((v, alpha) => places(picture.display && !alpha ? decode(v) : v))),
         row(`${which} display`, shown((v, alpha) => {
           const code = 255 * (picture.display || alpha ? v : encode(clamp(v, 0, 1)));
-          return picture.type === 'u8' ? String(Math.round(code)) : places(code).slice(0, 6);
+          return picture.type === 'u8' ? String(Math.round(code)) : String(Number(code.toFixed(2)));
         })));
     } else {
       rows.push(row(which, shown((v) => places(v))));

@@ -68,6 +68,8 @@ inline Comparison sequence(int frames) {
             image.aov = aov;
             image.frame = frame;
             image.outcome = fails ? Outcome::Fail : Outcome::Pass;
+            image.width = 64;
+            image.height = 48;
             image.channels = isColor ? std::vector<std::string>{"R", "G", "B", "A"} : std::vector<std::string>{aov};
             const double value = fails ? 0.5 : 0.001 * (1.0 + std::sin(frame * 0.3));
             image.figures = {{"max-abs", value}, {"flip", value / 4.0}, {"psnr", 20.0 - 10.0 * std::log10(value)}};
