@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "diagnostics/statistics_format.h"
+#include "job/glob.h"
 #include "report/statistics_compare.h"
 #include "report/statistics_table.h"
 #include "report/text_table.h"
-#include "job/glob.h"
 
 namespace umbrage {
 namespace {

@@ -212,7 +212,7 @@ struct Scene {
     std::vector<Displacement> displacements;
     // For people:
     std::vector<std::string> extensionsUsed, extensionsIgnored;
-    std::vector<std::string> notes;  // what was odd or ignored, one line each
+    std::vector<std::string> notes;              // what was odd or ignored, one line each
     std::vector<std::filesystem::path> sources;  // the files it was read from
 };
 

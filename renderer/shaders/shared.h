@@ -193,8 +193,8 @@ struct CasterState {
     uint outOfView;      // bits of lights with which no view ray meets it or its volume
     uint lightOn;        // bits of lights that lie on one of its triangles, which then has no weight; as hazards
     uint lightMoved;     // bits of lights that were moved for it, out of line with it and the eye
-    uint ends[4];  // ten lights in each, three bits a light: 0, or 1 + the face of the light's extent that its
-                   // volume ends behind
+    uint ends[4];        // ten lights in each, three bits a light: 0, or 1 + the face of the light's extent that its
+                         // volume ends behind
 };
 
 // A part of the casters of one light, counted by z-pass before its split plane and by z-fail behind it (Laine 2005).
