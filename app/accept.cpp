@@ -42,7 +42,7 @@ bool agrees(const AcceptPlan& plan) {
 int runAccept(const AcceptCommandOptions& options, bool quiet) {
     const GoldenInput input = goldenInput(options.inputs, options.render, quiet);
     if (input.interrupted) return interruptExitCode();
-    const AcceptPlan plan = planAccept(input.golden, input.output, input.asked);
+    const AcceptPlan plan = planAccept(input.golden, input.output, input.asked, options.statistics);
     if (plan.isForeign() && !options.force) {
         throw Error(ErrorKind::Input, plan.golden.string(),
                     fmt::format("the goldens were made by \"{}\", the output by \"{}\"",

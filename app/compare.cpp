@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
+#include <unistd.h>
 
-#include <array>
-
+#include "budgets.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "golden/compare_folders.h"
+#include "golden/compare_statistics.h"
 #include "golden/comparison_page.h"
 #include "golden/reports.h"
+#include "golden/result_text.h"
 #include "golden_input.h"
 #include "image/image.h"
 #include "interrupt.h"
@@ -18,18 +20,12 @@ namespace umbrage {
 namespace {
 
 void print(const Comparison& comparison, bool all) {
-    std::array<std::size_t, kOutcomes.size()> counts{};
     for (const ImageResult& image : comparison.images) {
-        ++counts[std::size_t(image.outcome)];
         if (!all && image.outcome == Outcome::Pass) continue;
-        fmt::print("{:16} {}{}{}\n", infoOf(image.outcome).name, image.name, image.reason.empty() ? "" : ": ",
-                   image.reason);
+        fmt::print("{:16} {}: {}\n", infoOf(image.outcome).name, image.name, explanation(image));
     }
-    std::string sums;
-    for (std::size_t k = 0; k < counts.size(); ++k) {
-        if (counts[k] > 0) sums += fmt::format("{}{} {}", sums.empty() ? "" : ", ", counts[k], kOutcomes[k].name);
-    }
-    fmt::print("{} pictures: {}\n", comparison.images.size(), sums);
+    if (!comparison.statistics.empty()) fmt::print("{}", withinTable(comparison.statistics));
+    fmt::print("{}\n", countsText(comparison));
 }
 
 /// A picture as the page wants it; integers as floats, of which a page shows no more digits.
@@ -90,7 +86,9 @@ int runCompare(const CompareCommandOptions& options, bool quiet) {
     how.asked = input.asked;
     Comparison comparison;
     {
-        Progress progress(options.render.progress, quiet);
+        // A bar, but no line for each picture: what differs gets one at the end.
+        const bool lines = options.render.progress == ProgressKind::Auto && isatty(STDERR_FILENO) == 0;
+        Progress progress(lines ? ProgressKind::None : options.render.progress, quiet);
         bool started = false;
         how.progress = [&](std::size_t, std::size_t count) {
             if (!started) progress.started(count, "comparing");
@@ -100,10 +98,12 @@ int runCompare(const CompareCommandOptions& options, bool quiet) {
         comparison = comparePictures(input.golden, input.output, how);
         for (const std::string& note : comparison.notes) progress.note(note);
     }
+    comparison.budgets = input.budgets;
     comparison.renderCommand = input.renderCommand;
     comparison.acceptCommand = input.acceptCommand;
     print(comparison, options.all);
     write(comparison, options);
+    sayBudgets(comparison.budgets, "");
     return comparison.passes() ? kOk : kFramesFailed;
 }
 

@@ -44,7 +44,9 @@ GoldenInput goldenInput(const std::vector<std::string>& inputs, const RenderOpti
                       imagesOf(job, batchOptionsOf(render)),
                       "umbrage render " + arguments,
                       "umbrage accept " + arguments};
-    input.interrupted = renderWatched(job, render, quiet).interrupted;
+    BatchSummary summary = renderWatched(job, render, quiet);
+    input.budgets = std::move(summary.budgets);
+    input.interrupted = summary.interrupted;
     return input;
 }
 

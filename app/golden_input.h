@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/budgets.h"
 #include "golden/provenance.h"
 #include "job/golden_rules.h"
 #include "options.h"
@@ -19,6 +20,7 @@ struct GoldenInput {
     GoldenRules rules;                                          // of the sequence
     std::optional<std::map<std::string, ManifestImage>> asked;  // of the sequence: what it makes
     std::string renderCommand, acceptCommand;                   // to do it again
+    std::vector<BudgetResult> budgets{};                          // of the sequence
     bool interrupted = false;                                   // while rendering
 };
 

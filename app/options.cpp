@@ -132,6 +132,7 @@ void addCompare(CLI::App& app, CompareCommandOptions& o) {
 void addAccept(CLI::App& app, AcceptCommandOptions& o) {
     addGoldenInputs(app, o.inputs);
     app.add_flag("--yes", o.yes, "do it without asking");
+    app.add_flag("--statistics", o.statistics, "statistics.json of the output becomes golden, too");
     app.add_flag("--force-device", o.force, "replace goldens of another device");
     addRendering(app, o.render);
 }

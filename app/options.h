@@ -38,7 +38,7 @@ struct CompareCommandOptions {
 struct AcceptCommandOptions {
     std::vector<std::string> inputs;  // as CompareCommandOptions
     RenderOptions render;
-    bool yes = false, force = false;
+    bool yes = false, force = false, statistics = false;
 };
 
 enum class Pictures { All, Failed, None };

@@ -43,7 +43,7 @@ std::string contentsOfPicture(const fs::path& file) {
 }  // namespace
 
 AcceptPlan planAccept(const fs::path& golden, const fs::path& output,
-                      const std::optional<std::map<std::string, ManifestImage>>& asked) {
+                      const std::optional<std::map<std::string, ManifestImage>>& asked, bool statistics) {
     AcceptPlan plan{golden, output, {}, 0, readManifest(golden), readManifest(output)};
     const std::map<std::string, ManifestImage>* known = asked             ? &*asked
                                                         : plan.outputFrom ? &plan.outputFrom->images
@@ -66,6 +66,14 @@ AcceptPlan planAccept(const fs::path& golden, const fs::path& output,
             ++plan.unchanged;
         } else {
             plan.changes.push_back({Kind::Changed, name, differenceOf(golden / name, output / name)});
+        }
+    }
+    const fs::path theirs = golden / kGoldenStatistics, ours = output / kGoldenStatistics;
+    if (fs::exists(ours) && (statistics || fs::exists(theirs))) {
+        if (equalFiles(theirs, ours)) {
+            ++plan.unchanged;
+        } else {
+            plan.changes.push_back({fs::exists(theirs) ? Kind::Changed : Kind::Added, kGoldenStatistics, {}});
         }
     }
     return plan;

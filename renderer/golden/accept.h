@@ -30,9 +30,10 @@ struct AcceptPlan {
 };
 
 /// @param asked  the pictures a job makes: goldens of others stay, and outputs of others are left alone
+/// @param statistics  statistics.json becomes golden, too; where there is a golden of it, it does anyway
 /// @throws Error(Input)
 AcceptPlan planAccept(const std::filesystem::path& golden, const std::filesystem::path& output,
-                      const std::optional<std::map<std::string, ManifestImage>>& asked);
+                      const std::optional<std::map<std::string, ManifestImage>>& asked, bool statistics = false);
 
 /// Copies what is added or changed, each file whole or not at all, removes what is removed, and notes where it comes
 /// from. What is unchanged is not touched. @throws Error(Output)

@@ -14,6 +14,7 @@
 
 #include "error.h"
 #include "golden/compare_images.h"
+#include "golden/compare_statistics.h"
 #include "image/image.h"
 #include "job/glob.h"
 
@@ -124,6 +125,19 @@ std::span<const GoldenRule> chooseRules(Comparison& comparison, const CompareOpt
     return ofOthers;
 }
 
+void compareStatistics(Comparison& comparison, const CompareOptions& options) {
+    const fs::path golden = fs::path(comparison.golden) / kGoldenStatistics;
+    const fs::path output = fs::path(comparison.output) / kGoldenStatistics;
+    if (!fs::exists(golden)) return;
+    if (fs::exists(output)) {
+        comparison.statistics = compareWithin(readStatistics(golden), readStatistics(output), options.rules.statistics);
+    } else {
+        comparison.statistics.push_back({.column = kGoldenStatistics,
+                                         .outcome = Outcome::MissingOutput,
+                                         .reason = "the goldens have statistics, the output none"});
+    }
+}
+
 void compareFolders(Comparison& comparison, const CompareOptions& options) {
     const fs::path golden = comparison.golden, output = comparison.output;
     const std::optional<Manifest> theirs = readManifest(golden), ours = readManifest(output);
@@ -173,6 +187,7 @@ void compareFolders(Comparison& comparison, const CompareOptions& options) {
             pairs.push_back(std::move(pair));
         }
     }
+    compareStatistics(comparison, options);
     const std::vector<ImageResult> results = compareAll(pairs, options);
     comparison.images.insert(comparison.images.end(), results.begin(), results.end());
     std::ranges::sort(comparison.images, {}, &ImageResult::name);

@@ -23,6 +23,9 @@ struct CompareOptions {
     std::function<void(std::size_t done, std::size_t count)> progress{};
 };
 
+/// Name of the statistics that are compared where a folder of goldens has them.
+inline constexpr const char* kGoldenStatistics = "statistics.json";
+
 /// @param golden, output  two folders, or two pictures
 /// @throws Error(Input) for what is not there, a bad manifest, and goldens of another device unless that is allowed
 Comparison comparePictures(const std::filesystem::path& golden, const std::filesystem::path& output,

@@ -159,10 +159,6 @@ void decide(ImageResult& result, const std::vector<GoldenLimit>& all, const std:
     if (!verdict) return;
     result.outcome = verdict->outcome;
     result.decision = verdict->decision;
-    if (verdict->outcome == Outcome::Pass) return;
-    const Decision& d = verdict->decision;
-    result.reason = fmt::format("{} {} {:.6g}, {} than {:.6g} ({})", d.metric, "is", d.value,
-                                findMetric(d.metric)->largerIsWorse ? "more" : "less", d.limit, d.rule);
 }
 
 std::vector<std::string> wantedMetrics(const std::vector<GoldenLimit>& all, const std::vector<GoldenLimit>& any,
@@ -192,7 +188,7 @@ void expectFailure(ImageResult& result, const std::string& why) {
         result.reason = "it passes, though it was expected to fail: " + why;
     } else {
         result.outcome = Outcome::ExpectedFailure;
-        result.reason = fmt::format("as expected ({}): {}", why, result.reason);
+        result.reason = fmt::format("as expected: {}{}{}", why, result.reason.empty() ? "" : "; ", result.reason);
     }
 }
 

@@ -2,20 +2,14 @@
 // Statistics against the golden's, column by column.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnostics/statistics_file.h"
 #include "golden/comparison.h"
+#include "job/golden_rules.h"
 
 namespace umbrage {
-
-/// What columns may be off by.
-struct StatisticsTolerance {
-    std::string glob;               // of counters and figures: "overdraw.*"
-    std::optional<double> share{};  // of the golden's value, at least 0; none: not compared
-};
 
 /// Every column of either file: a counter or a distribution's figure of the whole frame, or of a light, a caster or a
 /// material. Counts must be equal and measured numbers are skipped where no tolerance says otherwise. A column passes

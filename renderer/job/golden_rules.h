@@ -60,9 +60,16 @@ struct GoldenPair {
     std::vector<GoldenRule> rules;
 };
 
+/// What columns of the statistics may be off by.
+struct StatisticsTolerance {
+    std::string glob;               // of counters and figures: "overdraw.*"
+    std::optional<double> share{};  // of the golden's value, at least 0; none: not compared
+};
+
 struct GoldenRules {
     std::vector<GoldenRule> rules;  // later ones win
     std::vector<GoldenPair> devices;
+    std::vector<StatisticsTolerance> statistics;  // later ones win
 };
 
 /// @throws Error(Input) with file:line:column

@@ -87,6 +87,33 @@ Field<GoldenRules> devicesField() {
         .unset("2 % of the pixels may differ by more than 0.02, half of those in a window; integers warn");
 }
 
+/// A share, or skip.
+Type<std::optional<double>> tolerance() {
+    const auto share = opinion(number(atLeast(0)));
+    const auto skip = converted<std::optional<double>>(
+        choice({"skip"}), [](const std::string&, const YamlNode&) { return std::optional<double>(); });
+    Type<std::optional<double>> type = either(share, skip, [](const YamlNode&) { return true; });
+    type.read = [share = share.read, skip = skip.read](const YamlNode& node, const std::string& name) {
+        return numberOf(node) ? share(node, name) : skip(node, name);
+    };
+    return type;
+}
+
+Field<GoldenRules> statisticsField() {
+    using Entries = std::vector<std::pair<Located<std::string>, std::optional<double>>>;
+    const auto tolerances = converted<std::vector<StatisticsTolerance>>(
+        dictionary(tolerance(), "a mapping {glob of counters and figures: share, or skip}"),
+        [](const Entries& entries, const YamlNode&) {
+            std::vector<StatisticsTolerance> made;
+            for (const auto& [glob, share] : entries) made.push_back({glob.value, share});
+            return made;
+        });
+    return field<GoldenRules>("statistics", tolerances, &GoldenRules::statistics,
+                              "Shares of the golden's value that columns of statistics.json may be off by; later ones "
+                              "win")
+        .unset("counts are equal, what is measured is skipped");
+}
+
 }  // namespace
 
 Type<JobGolden> goldenSettings() {
@@ -102,12 +129,13 @@ Type<JobGolden> goldenSettings() {
                 .required(),
             inRules(rulesField()),
             inRules(devicesField()),
+            inRules(statisticsField()),
         });
 }
 
 GoldenRules readGoldenRules(const std::filesystem::path& file) {
     static const Type<GoldenRules> type =
-        mapping<GoldenRules>("golden rules", "A file of rules.", {rulesField(), devicesField()});
+        mapping<GoldenRules>("golden rules", "A file of rules.", {rulesField(), devicesField(), statisticsField()});
     return type.read(parseYaml(contentsOf(file), file.string()), "the file");
 }
 
