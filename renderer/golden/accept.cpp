@@ -48,7 +48,7 @@ AcceptPlan planAccept(const fs::path& golden, const fs::path& output,
     const std::map<std::string, ManifestImage>* known = asked             ? &*asked
                                                         : plan.outputFrom ? &plan.outputFrom->images
                                                                           : nullptr;
-    const std::vector<std::string> outputs = picturesIn(output);
+    const std::vector<std::string> outputs = picturesIn(output, golden);
     std::vector<std::string> goldens;
     if (fs::exists(golden)) goldens = picturesIn(golden);
     std::set<std::string> names(goldens.begin(), goldens.end());

@@ -145,7 +145,7 @@ void compareFolders(Comparison& comparison, const CompareOptions& options) {
     if (ours) comparison.outputFrom = ours->from;
     const std::span<const GoldenRule> rules = chooseRules(comparison, options);
 
-    const std::vector<std::string> goldens = picturesIn(golden), outputs = picturesIn(output);
+    const std::vector<std::string> goldens = picturesIn(golden), outputs = picturesIn(output, golden);
     const std::set<std::string> hasGolden(goldens.begin(), goldens.end()), hasOutput(outputs.begin(), outputs.end());
     std::set<std::string> names(goldens.begin(), goldens.end());
     names.insert(outputs.begin(), outputs.end());
@@ -205,11 +205,15 @@ void compareTwo(Comparison& comparison, const CompareOptions& options) {
 
 }  // namespace
 
-std::vector<std::string> picturesIn(const fs::path& folder) {
+std::vector<std::string> picturesIn(const fs::path& folder, const fs::path& except) {
     std::vector<std::string> names;
-    std::error_code failed;
+    std::error_code failed, unknown;
     for (fs::recursive_directory_iterator entry(folder, failed), end; !failed && entry != end;
          entry.increment(failed)) {
+        if (entry->is_directory() && !except.empty() && fs::equivalent(entry->path(), except, unknown)) {
+            entry.disable_recursion_pending();
+            continue;
+        }
         const std::string extension = entry->path().extension().string();
         if (!entry->is_regular_file() || (extension != ".png" && extension != ".exr")) continue;
         names.push_back(entry->path().lexically_relative(folder).generic_string());

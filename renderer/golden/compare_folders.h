@@ -32,8 +32,9 @@ Comparison comparePictures(const std::filesystem::path& golden, const std::files
                            const CompareOptions& options);
 
 /// PNG and EXR files in a folder and those in it, by name from the folder on, with '/'.
+/// @param except  a folder that may be inside, and is not looked into
 /// @throws Error(Input)
-std::vector<std::string> picturesIn(const std::filesystem::path& folder);
+std::vector<std::string> picturesIn(const std::filesystem::path& folder, const std::filesystem::path& except = {});
 
 /// AOV and frame as NAME.FRAME.EXT says them; without a frame the AOV is empty.
 ManifestImage namedImage(const std::string& name);

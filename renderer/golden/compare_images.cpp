@@ -235,11 +235,12 @@ ImageRules rulesFor(std::span<const GoldenRule> rules, const std::string& name, 
 }
 
 std::vector<GoldenRule> rulesOfOtherDevices() {
+    // Between llvmpipe with 8 and with 4 lanes the worst of our own goldens has 0.00008 and 0.025.
     GoldenRule rule;
     rule.pattern = "default";
     rule.tolerance = 0.02;
-    rule.all = {{"few pixels of another device", "fraction", 0.02, {}},
-                {"no cluster of another device", "densest", 0.5, {}},
+    rule.all = {{"few pixels of another device", "fraction", 0.002, {}},
+                {"no cluster of another device", "densest", 0.25, {}},
                 {"integers of another device", "uint-different", {}, 0.0}};
     return {rule};
 }

@@ -6,12 +6,20 @@
 namespace umbrage {
 namespace {
 
+/// A text without a default.
+template <class S>
+Field<S> needed(const std::string& key, const Type<std::string>& type, std::string S::*member,
+                const std::string& meaning) {
+    return fieldThrough<S, std::string>(
+               key, type, [member](S& into, const std::string& value) { into.*member = value; }, meaning)
+        .required();
+}
+
 Type<std::vector<GoldenLimit>> limits() {
     const auto limit = mapping<GoldenLimit>(
         "limit", "How far a metric may go. At least one of `fail` and `warn`.",
         {
-            field<GoldenLimit>("metric", choice(namesOf(kMetrics)), &GoldenLimit::metric, meaningsOf(kMetrics))
-                .required(),
+            needed<GoldenLimit>("metric", choice(namesOf(kMetrics)), &GoldenLimit::metric, meaningsOf(kMetrics)),
             field<GoldenLimit>("fail", opinion(number()), &GoldenLimit::fail, "More than this (of psnr: less) fails")
                 .unset("does not fail"),
             field<GoldenLimit>("warn", opinion(number()), &GoldenLimit::warn, "More than this (of psnr: less) warns")
@@ -78,13 +86,13 @@ Field<GoldenRules> devicesField() {
         "Goldens of one device and output of another: compared where `--other-device` allows it, by these rules alone. "
         "A device is its \"renderer, version, processor\" in manifest.json.",
         {
-            field<GoldenPair>("golden", text("a glob"), &GoldenPair::golden, "The goldens' device").required(),
-            field<GoldenPair>("output", text("a glob"), &GoldenPair::output, "The output's").required(),
+            needed<GoldenPair>("golden", text("a glob"), &GoldenPair::golden, "The goldens' device"),
+            needed<GoldenPair>("output", text("a glob"), &GoldenPair::output, "The output's"),
             field<GoldenPair>("rules", rules(), &GoldenPair::rules, "As above").required(),
         });
     return field<GoldenRules>("devices", listOf(pair, "a list of pairs"), &GoldenRules::devices,
                               "What holds between two devices; the first that matches")
-        .unset("2 % of the pixels may differ by more than 0.02, half of those in a window; integers warn");
+        .unset("0.2 % of the pixels may differ by more than 0.02, a quarter of those in a window; integers warn");
 }
 
 /// A share, or skip.
@@ -125,8 +133,7 @@ Type<JobGolden> goldenSettings() {
     return mapping<JobGolden>(
         "golden", "Golden frames, for `umbrage compare` and `umbrage accept`.",
         {
-            field<JobGolden>("path", text("a path"), &JobGolden::path, "Their folder, from this file's folder")
-                .required(),
+            needed<JobGolden>("path", text("a path"), &JobGolden::path, "Their folder, from this file's folder"),
             inRules(rulesField()),
             inRules(devicesField()),
             inRules(statisticsField()),

@@ -25,11 +25,20 @@ TEST(JobErrors, UnknownKeysNameTheNearestOne) {
 }
 
 TEST(JobErrors, KeysOfLaterFormatsAreUnknown) {
-    expectRefused(sequence("golden: {path: x}\n"), {"s.yaml:3:1", "unknown key \"golden\"", ""});
     expectRefused("umbrage: 1\nscene: [{gltf: a.glb}, {variant: {material: night}}]\n",
                   {"s.yaml:2:24", "a layer needs the key", "gltf, over"});
     expectRefused("umbrage: 1\nscene: [{gltf: a.glb, instances: {grid: [4, 4]}}]\n",
                   {"s.yaml:2:23", "unknown key \"instances\" in glTF layer", ""});
+}
+
+TEST(JobErrors, RulesOfGoldensNameTheirPlace) {
+    expectRefused(sequence("golden: {rules: {}}\n"), {"s.yaml:3:9", "golden lacks the key \"path\"", "path: "});
+    expectRefused(sequence("golden: {path: x, rules: {default: {all: {few: {metric: fractoin, fail: 0}}}}}\n"),
+                  {"s.yaml:3:57", "fractoin", "fraction"});
+    expectRefused(sequence("golden: {path: x, rules: {default: {all: {few: {metric: fraction}}}}}\n"),
+                  {"s.yaml:3:48", "limits nothing", "fail: NUMBER"});
+    expectRefused(sequence("golden: {path: x, statistics: {\"overdraw.*\": no way}}\n"),
+                  {"s.yaml:3:46", "overdraw.*", "skip"});
 }
 
 TEST(JobErrors, DuplicateKeysNameTheFirst) {
