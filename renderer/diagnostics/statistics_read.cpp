@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "diagnostics/budgets_json.h"
 #include "diagnostics/json_node.h"
 #include "diagnostics/statistics_format.h"
 #include "error.h"
@@ -45,19 +46,12 @@ StatisticsFile::CounterEntry readCounter(const std::string& name, const Node& no
     return counter;
 }
 
-BudgetResult readBudget(const Node& node, const StatisticsFile& file) {
-    BudgetResult result;
-    result.name = node.member("name").string();
+/// The unit is the table's.
+BudgetResult readBudgetOf(const StatisticsFile& file, const Node& node) {
+    BudgetResult result = readBudget(node);
     const std::optional<std::string> unit = unitOfFigure(file, result.name);
     if (!unit) node.member("name").fail("is not explained under /counters or /quantities");
     result.unit = *unit;
-    result.atLeast = node.has("min");
-    if (result.atLeast && node.has("max")) node.fail("has both \"min\" and \"max\"");
-    result.limit = node.member(result.atLeast ? "min" : "max").number();
-    if (node.has("value")) result.value = node.member("value").number();
-    if (node.has("frame")) result.frame = node.member("frame").integer();
-    if (node.has("light")) result.light = node.member("light").string();
-    result.exceeded = node.member("exceeded").boolean();
     return result;
 }
 
@@ -138,7 +132,7 @@ StatisticsFile parseStatistics(std::string_view json, const std::string& name) {
         readPlace(node, {}, 0, file, entry->second);
     });
     if (root.has("budgets")) {
-        root.member("budgets").eachElement([&](const Node& node) { file.budgets.push_back(readBudget(node, file)); });
+        root.member("budgets").eachElement([&](const Node& node) { file.budgets.push_back(readBudgetOf(file, node)); });
     }
     root.eachMember([&](const std::string& key, const Node& node) {
         for (const char* known : {"format", "counters", "quantities", "budgets", "frames", "summary"}) {

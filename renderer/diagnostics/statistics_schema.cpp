@@ -2,6 +2,7 @@
 // The JSON Schema of statistics files, from the tables that write them.
 #include <fmt/format.h>
 
+#include "diagnostics/budgets_json.h"
 #include "diagnostics/quantities.h"
 #include "diagnostics/schema_parts.h"
 #include "diagnostics/statistics_format.h"
@@ -52,19 +53,6 @@ Json distributionSchema(const Json& count, const Json& amount) {
                                         "[start of the bin, pixels], ascending, without empty bins; bins are 1 wide "
                                         "below 256, above there are 128 of them an octave");
     return object(properties);
-}
-
-Json budgetSchema(const Json& text, const Json& number, const Json& integer) {
-    Json budget = object({{"name", described(text, "of a counter, or QUANTITY.FIGURE")},
-                          {"max", described(number, "at most this")},
-                          {"min", described(number, "at least this")},
-                          {"value", described(number, "the worst; not there if there is none")},
-                          {"frame", described(integer, "the first with it")},
-                          {"light", described(text, "whose it is, of a figure that a whole frame has not")},
-                          {"exceeded", described({{"type", "boolean"}}, "also where there is no value to judge")}},
-                         {"max", "min", "value", "frame", "light"});
-    for (const char* limit : {"max", "min"}) budget["oneOf"].push_back({{"required", Json::array({limit})}});
-    return budget;
 }
 
 Json summarySchema(const Json& count, const Json& number) {
@@ -121,7 +109,7 @@ std::string statisticsSchema() {
                              {"clock", described(text, "what measured the time")},
                              {"counters", mapOf(counter)},
                              {"quantities", mapOf(quantity)},
-                             {"budgets", described({{"type", "array"}, {"items", budgetSchema(text, number, integer)}},
+                             {"budgets", described({{"type", "array"}, {"items", budgetSchema()}},
                                                    "what every frame was held to; not there without any")},
                              {"frames", {{"type", "array"}, {"items", frame}}},
                              {"summary", summarySchema(count, number)}};

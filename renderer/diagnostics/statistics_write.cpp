@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "diagnostics/budgets_json.h"
 #include "diagnostics/csv_field.h"
 #include "diagnostics/statistics_format.h"
 #include "diagnostics/statistics_summary.h"
@@ -35,15 +36,6 @@ Json jsonOf(const Distribution& distribution) {
         json[figure.name] = jsonNumber(figure.of(distribution));
     }
     json["histogram"] = histogram;
-    return json;
-}
-
-Json jsonOf(const BudgetResult& result) {
-    Json json = {{"name", result.name}, {result.atLeast ? "min" : "max", jsonNumber(result.limit)}};
-    if (result.value) json["value"] = jsonNumber(*result.value);
-    if (result.frame) json["frame"] = *result.frame;
-    if (!result.light.empty()) json["light"] = result.light;
-    json["exceeded"] = result.exceeded;
     return json;
 }
 
@@ -147,7 +139,7 @@ std::string StatisticsFile::json() const {
     for (const QuantityEntry& quantity : quantities) {
         append(quantityTable, quantity.name, {{"unit", quantity.unit}, {"doc", quantity.doc}, {"aov", quantity.aov}});
     }
-    for (const BudgetResult& result : budgets) document["budgets"].push_back(jsonOf(result));
+    for (const BudgetResult& result : budgets) document["budgets"].push_back(budgetJson(result));
     // A light's name is whatever the scene says: bytes that are not UTF-8 become U+FFFD rather than an exception.
     const auto textOf = [](const Json& value, int indent) {
         return value.dump(indent, ' ', false, Json::error_handler_t::replace);

@@ -8,7 +8,7 @@ namespace umbrage {
 bool Comparison::passes() const {
     const auto good = [](const auto& result) { return infoOf(result.outcome).passes; };
     return std::all_of(images.begin(), images.end(), good) && std::all_of(statistics.begin(), statistics.end(), good) &&
-           std::none_of(budgets.begin(), budgets.end(), [](const BudgetResult& budget) { return budget.exceeded; });
+           !anyExceeded(budgets);
 }
 
 }  // namespace umbrage

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The model as JSON.
+#include "diagnostics/budgets_json.h"
 #include "diagnostics/json_number.h"
 #include "golden/comparison_format.h"
 #include "golden/reports.h"
@@ -47,6 +48,12 @@ Json jsonOf(const StatisticsResult& column) {
             {"reason", column.reason}};
 }
 
+Json jsonOf(const BudgetResult& budget) {
+    Json json = budgetJson(budget);
+    json["unit"] = budget.unit;  // there is no table of figures here that would have it
+    return json;
+}
+
 template <class Results>
 Json listOf(const Results& results) {
     Json list = Json::array();
@@ -86,6 +93,7 @@ std::string comparisonJson(const Comparison& comparison) {
     }
     json["images"] = listOf(comparison.images);
     json["statistics"] = listOf(comparison.statistics);
+    if (!comparison.budgets.empty()) json["budgets"] = listOf(comparison.budgets);
     json["renderCommand"] = comparison.renderCommand;
     json["acceptCommand"] = comparison.acceptCommand;
     // names of files need not be text

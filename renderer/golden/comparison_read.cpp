@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "diagnostics/budgets_json.h"
 #include "diagnostics/json_node.h"
 #include "golden/comparison_format.h"
 #include "golden/reports.h"
@@ -79,6 +80,12 @@ StatisticsResult readColumn(const Node& node) {
             node.member("reason").string()};
 }
 
+BudgetResult readBudgetWithUnit(const Node& node) {
+    BudgetResult budget = readBudget(node);
+    budget.unit = node.member("unit").string();
+    return budget;
+}
+
 }  // namespace
 
 Comparison readComparison(std::string_view json, const std::string& name) {
@@ -101,6 +108,10 @@ Comparison readComparison(std::string_view json, const std::string& name) {
     comparison.notes = readTexts(root.member("notes"));
     root.member("images").eachElement([&](const Node& node) { comparison.images.push_back(readImage(node)); });
     root.member("statistics").eachElement([&](const Node& node) { comparison.statistics.push_back(readColumn(node)); });
+    if (root.has("budgets")) {
+        root.member("budgets").eachElement(
+            [&](const Node& node) { comparison.budgets.push_back(readBudgetWithUnit(node)); });
+    }
     comparison.renderCommand = root.member("renderCommand").string();
     comparison.acceptCommand = root.member("acceptCommand").string();
     if (root.member("passes").boolean() != comparison.passes()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The JSON Schema of comparison files.
+#include "diagnostics/budgets_json.h"
 #include "diagnostics/schema_parts.h"
 #include "golden/comparison_format.h"
 #include "golden/reports.h"
@@ -72,6 +73,13 @@ Json columnSchema() {
                    {"reason", text()}});
 }
 
+Json budgetWithUnitSchema() {
+    Json schema = budgetSchema();
+    schema["properties"]["unit"] = described(text(), "of the limit and the value");
+    schema["required"].push_back("unit");
+    return schema;
+}
+
 }  // namespace
 
 std::string comparisonSchema() {
@@ -89,16 +97,20 @@ std::string comparisonSchema() {
          {"outputFrom", reference("provenance")},
          {"foreignDevice", described({{"type", "boolean"}}, "allowed, and judged by the tolerance of that pair")},
          {"notes", listOf(text())},
-         {"counts", described({{"type", "object"}, {"additionalProperties", size()}}, "images and columns by outcome")},
+         {"counts",
+          described({{"type", "object"}, {"additionalProperties", size()}}, "images, columns and budgets by outcome")},
          {"images", listOf(reference("image"))},
          {"statistics", listOf(reference("column"))},
+         {"budgets",
+          described(listOf(reference("budget")), "what every frame of the output was held to; not there without any")},
          {"renderCommand", described(text(), "makes the output again")},
          {"acceptCommand", described(text(), "makes the output the golden")}},
-        std::vector<std::string>{"goldenFrom", "outputFrom"}));
+        std::vector<std::string>{"goldenFrom", "outputFrom", "budgets"}));
     schema["$defs"] = {{"outcome", outcomeSchema()},
                        {"provenance", object(provenance)},
                        {"image", imageSchema()},
-                       {"column", columnSchema()}};
+                       {"column", columnSchema()},
+                       {"budget", budgetWithUnitSchema()}};
     return schema.dump(2) + "\n";
 }
 

@@ -41,6 +41,9 @@ std::string comparisonAnnotations(const Comparison& comparison) {
     for (const StatisticsResult& column : comparison.statistics) {
         text += command("", column.column, column.outcome, explanation(column));
     }
+    for (const BudgetResult& budget : comparison.budgets) {
+        text += command("", "budget " + budget.name, outcomeOf(budget), explanation(budget));
+    }
     return text;
 }
 

@@ -34,6 +34,19 @@ std::string comparisonCsv(const Comparison& comparison) {
         }
         csv += fmt::format("{}\n", fmt::join(row, ","));
     }
+    for (const BudgetResult& budget : comparison.budgets) {
+        std::vector<std::string> row{csvField("budget " + budget.name),
+                                     "",
+                                     budget.frame ? std::to_string(*budget.frame) : "",
+                                     std::string(infoOf(outcomeOf(budget)).name),
+                                     boundName(budget),
+                                     csvField(budget.name),
+                                     fmt::format("{}", budget.limit),
+                                     budget.value ? fmt::format("{}", *budget.value) : "",
+                                     budget.exceeded ? csvField(explanation(budget)) : ""};
+        row.resize(row.size() + metrics.size());
+        csv += fmt::format("{}\n", fmt::join(row, ","));
+    }
     return csv;
 }
 

@@ -57,6 +57,10 @@ std::string comparisonJunit(const Comparison& comparison) {
         const std::string place = column.frame > 0 ? fmt::format(" frame {}", column.frame) : "";
         suites["statistics"].add("statistics", column.column + place, column.outcome, explanation(column));
     }
+    for (const BudgetResult& budget : comparison.budgets) {
+        suites["budgets"].add("budgets", fmt::format("{} {}", budget.name, boundName(budget)), outcomeOf(budget),
+                              explanation(budget));
+    }
     Suite all;
     std::string body;
     for (const auto& [name, suite] : suites) {

@@ -19,11 +19,18 @@ struct Row {
     std::vector<std::string> cells;
 };
 
+double excessOf(double value, double limit, bool isLeast) {
+    const double ratio = isLeast ? limit / value : value / limit;
+    return std::isnan(ratio) ? 0.0 : ratio;
+}
+
 double excessOf(const ImageResult& image) {
     if (!image.decision) return INFINITY;
-    const auto& [rule, metric, limit, value] = *image.decision;
-    const double ratio = isWorseBelow(metric) ? limit / value : value / limit;
-    return std::isnan(ratio) ? 0.0 : ratio;
+    return excessOf(image.decision->value, image.decision->limit, isWorseBelow(image.decision->metric));
+}
+
+double excessOf(const BudgetResult& budget) {
+    return budget.value ? excessOf(*budget.value, budget.limit, budget.atLeast) : INFINITY;
 }
 
 /// A fenced block that its text cannot end.
@@ -53,6 +60,13 @@ std::string comparisonMarkdown(const Comparison& comparison) {
         rows.push_back({column.outcome,
                         std::abs(column.output - column.golden) / std::abs(column.golden * column.tolerance),
                         {column.column, std::string(infoOf(column.outcome).name), explanation(column)}});
+    }
+    for (const BudgetResult& budget : comparison.budgets) {
+        if (!budget.exceeded) continue;
+        const Outcome outcome = outcomeOf(budget);
+        rows.push_back({outcome,
+                        excessOf(budget),
+                        {"budget " + budget.name, std::string(infoOf(outcome).name), explanation(budget)}});
     }
     std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
         const bool aPasses = infoOf(a.outcome).passes, bPasses = infoOf(b.outcome).passes;

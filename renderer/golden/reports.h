@@ -25,11 +25,12 @@ Comparison readComparison(std::string_view json, const std::string& name);
 /// The JSON Schema (draft 2020-12) of comparisonJson().
 std::string comparisonSchema();
 
-/// JUnit's XML as Jenkins, GitLab and others read it: a suite for each AOV and one for the statistics. An expected
-/// failure counts as skipped. It has no times: equal comparisons are equal files.
+/// JUnit's XML as Jenkins, GitLab and others read it: a suite for each AOV, one for the statistics and one for the
+/// budgets. An expected failure counts as skipped. It has no times: equal comparisons are equal files.
 std::string comparisonJunit(const Comparison& comparison);
 
-/// One row an image, a column for every figure that some image has; empty where one has it not, "inf" and "nan".
+/// One row an image, a column for every figure that some image has; empty where one has it not, "inf" and "nan". Then
+/// one row a budget: "budget FIGURE", its worst frame, the rule "max" or "min", and the figure as the metric.
 std::string comparisonCsv(const Comparison& comparison);
 
 /// GitHub's workflow commands: an error for each that fails, a warning for each that warns, one a line.

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 
+#include "golden/metrics.h"
+#include "report/budget_table.h"
+
 namespace umbrage {
 namespace {
 
@@ -16,10 +19,19 @@ std::string joined(const std::string& reason, const std::string& decision, Outco
 
 }  // namespace
 
+Outcome outcomeOf(const BudgetResult& budget) {
+    return budget.exceeded ? Outcome::Fail : Outcome::Pass;
+}
+
+std::string boundName(const BudgetResult& budget) {
+    return budget.atLeast ? "min" : "max";
+}
+
 std::array<std::size_t, kOutcomes.size()> countsOf(const Comparison& comparison) {
     std::array<std::size_t, kOutcomes.size()> counts{};
     for (const ImageResult& image : comparison.images) ++counts[std::size_t(image.outcome)];
     for (const StatisticsResult& column : comparison.statistics) ++counts[std::size_t(column.outcome)];
+    for (const BudgetResult& budget : comparison.budgets) ++counts[std::size_t(outcomeOf(budget))];
     return counts;
 }
 
@@ -40,7 +52,8 @@ std::string shownNumber(double value) {
 }
 
 bool isWorseBelow(const std::string& metric) {
-    return metric == "psnr";
+    const MetricInfo* info = findMetric(metric);  // a report that was read may have metrics of another version
+    return info && !info->largerIsWorse;
 }
 
 std::string decisionText(const ImageResult& image) {
@@ -65,6 +78,10 @@ std::string explanation(const StatisticsResult& column) {
                   fmt::format("{} instead of {}{}, tolerance {}", shownNumber(column.output),
                               shownNumber(column.golden), frame, shownNumber(column.tolerance)),
                   column.outcome);
+}
+
+std::string explanation(const BudgetResult& budget) {
+    return joined(budget.exceeded ? budgetText(budget) : "", "", outcomeOf(budget));
 }
 
 std::vector<std::string> metricsIn(const Comparison& comparison) {

@@ -11,7 +11,13 @@
 
 namespace umbrage {
 
-/// Images and statistics by outcome, in the order of kOutcomes.
+/// Of a budget: fail or pass.
+Outcome outcomeOf(const BudgetResult& budget);
+
+/// "max" or "min", which tells two limits of one figure apart.
+std::string boundName(const BudgetResult& budget);
+
+/// Images, statistics and budgets by outcome, in the order of kOutcomes.
 std::array<std::size_t, kOutcomes.size()> countsOf(const Comparison& comparison);
 
 /// "1 fail, 191 pass", or "nothing was compared".
@@ -23,6 +29,7 @@ std::string decisionText(const ImageResult& image);
 /// The reason and what decided, as one line; the outcome's meaning where there is neither.
 std::string explanation(const ImageResult& image);
 std::string explanation(const StatisticsResult& statistics);
+std::string explanation(const BudgetResult& budget);
 
 /// Metrics that some image has, in the order of their first appearance.
 std::vector<std::string> metricsIn(const Comparison& comparison);

@@ -373,6 +373,35 @@ TEST_F(ComparisonPage, ShowsWhatThereIsOfEveryOutcome) {
     EXPECT_EQ(textOf("#origin tr:nth-child(3) td + td"), "4.5 <Mesa>");
 }
 
+TEST_F(ComparisonPage, ShowsBudgetsAboveTheImagesAndGoesToTheirFrames) {
+    EXPECT_EQ(evaluate("document.getElementById('budgets-part').hidden"), true) << "there are none";
+    show(overBudget(), [](const ImageResult& image) { return picturesOf(image, kWidth, kHeight); });
+    EXPECT_EQ(textOf("h1"), "Golden frames: fail");
+    EXPECT_EQ(textOf("#head").substr(0, 16), "1 fail, 61 pass.");
+    const auto cells = [&](int row) {
+        return evaluate("[...document.querySelectorAll('#budgets tbody tr')[" + std::to_string(row) +
+                        "].cells].map(c => c.textContent)");
+    };
+    EXPECT_EQ(cells(0), Json::parse("[\"overdraw.p95\", \"at most 6\", \"7.25\", \"12\", \"\", \"\u2717 over by 1.25 "
+                                    "(20.8 %)\", \"fragments/pixel\"]"));
+    EXPECT_EQ(cells(1), Json::parse("[\"triangles\", \"at least 456\", \"456\", \"1\", \"\", \"\u2713 held\", "
+                                    "\"count\"]"));
+    EXPECT_EQ(evaluate("document.getElementById('budgets').getBoundingClientRect().bottom <= "
+                       "document.getElementById('images').getBoundingClientRect().top"),
+              true);
+    EXPECT_NE(evaluate("getComputedStyle(document.querySelector('#budgets .exceeded .verdict')).color"),
+              evaluate("getComputedStyle(document.body).color"));
+    click("#budgets .exceeded button");
+    EXPECT_EQ(textOf("#image-title"), "beauty.0012.png pass");
+
+    show(everyOutcome(), [](const ImageResult&) { return std::nullopt; });
+    EXPECT_EQ(cells(0)[3], "12");
+    EXPECT_EQ(evaluate("document.querySelectorAll('#budgets tr:first-child button').length"), 0) << "no such frame";
+    EXPECT_EQ(cells(2), Json::parse("[\"caps.dark\", \"at most 2.5\", \"\", \"\", \"\", \"\u2717 no value\", "
+                                    "\"count\"]"));
+    EXPECT_EQ(cells(3)[4], "Lamp, <left>");
+}
+
 TEST_F(ComparisonPage, CopiesItsCommands) {
     browser().call("Browser.grantPermissions", {{"permissions", {"clipboardReadWrite", "clipboardSanitizedWrite"}}});
     click("#copy-accept");

@@ -56,6 +56,13 @@ byId('aov').addEventListener('change', filter);
 byId('text').addEventListener('input', filter);
 filter();
 
+if (comparison.budgets) {
+  showBudgets(comparison.budgets, (budget) => budget.unit, (frame) => {
+    const index = frame > 0 ? images.findIndex((image) => image.frame === frame) : -1;
+    return index >= 0 && (() => select(index));
+  });
+}
+
 // One image.
 async function select(index) {
   if (index === current) return;

@@ -60,3 +60,28 @@ function sortable(holder, caption, columns, rows) {
   show(rows);
   holder.replaceChildren(make('table', { 'aria-label': caption }, make('thead', {}, make('tr', {}, ...heads)), body));
 }
+
+// Budgets and the worst frame of each. unitOf: budget => its unit; goTo: frame => what shows it, or nothing.
+function showBudgets(budgets, unitOf, goTo) {
+  const rows = budgets.map((budget) => {
+    const least = budget.min !== undefined, limit = least ? budget.min : budget.max;
+    const excess = least ? limit - budget.value : budget.value - limit;
+    const share = limit > 0 ? ` (${(100 * excess / limit).toFixed(1)} %)` : '';
+    const verdict = !budget.exceeded ? '\u2713 held' : budget.value === undefined ? '\u2717 no value' :
+      `\u2717 ${least ? 'under' : 'over'} by ${format(excess)}${share}`;
+    const frame = make('td'), go = goTo(budget.frame);
+    if (go) {
+      const button = make('button', { type: 'button' }, String(budget.frame));
+      button.addEventListener('click', go);
+      frame.append(button);
+    } else if (budget.frame !== undefined) {
+      frame.append(String(budget.frame));
+    }
+    return make('tr', { class: budget.exceeded ? 'exceeded' : '' }, make('td', {}, budget.name), make('td', { 'data-value': limit }, `at ${least ? 'least' : 'most'} ${format(limit)}`),
+      make('td', { 'data-value': budget.value ?? '' }, format(budget.value)), frame, make('td', {}, budget.light || ''), make('td', { class: 'verdict' }, verdict),
+      make('td', {}, unitOf(budget)));
+  });
+  byId('budgets').append(make('table', { 'aria-label': 'budgets' }, make('thead', {}, make('tr', {},
+    ...['figure', 'limit', 'worst', 'frame', 'light', '', 'unit'].map((name) => make('th', { scope: 'col' }, name)))), make('tbody', {}, ...rows)));
+  byId('budgets-part').hidden = false;
+}

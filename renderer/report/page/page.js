@@ -182,28 +182,9 @@ if (summary.topCasters.length > 0) {
   byId('casters-part').hidden = false;
 }
 
-// Budgets: the worst frame of each.
 if (file.budgets) {
-  const unitOf = (name) => (counters[name] || quantities[name.slice(0, name.lastIndexOf('.'))]).unit;
-  const rows = file.budgets.map((budget) => {
-    const least = budget.min !== undefined, limit = least ? budget.min : budget.max;
-    const excess = least ? limit - budget.value : budget.value - limit;
-    const share = limit > 0 ? ` (${(100 * excess / limit).toFixed(1)} %)` : '';
-    const verdict = !budget.exceeded ? '\u2713 held' : budget.value === undefined ? '\u2717 no value' :
-      `\u2717 ${least ? 'under' : 'over'} by ${format(excess)}${share}`;
-    const frame = make('td');
-    if (budget.frame !== undefined && numbers.includes(budget.frame)) {
-      const button = make('button', { type: 'button' }, String(budget.frame));
-      button.addEventListener('click', () => go(numbers.indexOf(budget.frame)));
-      frame.append(button);
-    }
-    return make('tr', { class: budget.exceeded ? 'exceeded' : '' }, make('td', {}, budget.name), make('td', { 'data-value': limit }, `at ${least ? 'least' : 'most'} ${format(limit)}`),
-      make('td', { 'data-value': budget.value ?? '' }, format(budget.value)), frame, make('td', {}, budget.light || ''), make('td', { class: 'verdict' }, verdict),
-      make('td', {}, unitOf(budget.name)));
-  });
-  byId('budgets').append(make('table', { 'aria-label': 'budgets' }, make('thead', {}, make('tr', {},
-    ...['figure', 'limit', 'worst', 'frame', 'light', '', 'unit'].map((name) => make('th', { scope: 'col' }, name)))), make('tbody', {}, ...rows)));
-  byId('budgets-part').hidden = false;
+  showBudgets(file.budgets, ({ name }) => (counters[name] || quantities[name.slice(0, name.lastIndexOf('.'))]).unit,
+    (frame) => numbers.includes(frame) && (() => go(numbers.indexOf(frame))));
 }
 
 byId('head').textContent = [file.device, file.version && `umbrage ${file.version}`,

@@ -12,7 +12,8 @@
 
 namespace umbrage {
 
-/// An image of each outcome, frame 1 of AOV "beauty" with the outcome's name; names that every form has to escape.
+/// An image of each outcome, frame 1 of AOV "beauty" with the outcome's name; names that every form has to escape; four
+/// budgets of which the second alone holds.
 inline Comparison everyOutcome() {
     Comparison made;
     made.golden = "tests/golden/courtyard";
@@ -46,6 +47,17 @@ inline Comparison everyOutcome() {
     made.images[std::size_t(Outcome::ExtraOutput)].name = "odd, ]]> name%::file.png";
     made.statistics = {{"overdraw.fragments Lamp", 3, Outcome::Fail, 100.0, 125.5, 0.01, ""},
                        {"triangles", 0, Outcome::Pass, 12.0, 12.0, 0.0, ""}};
+    made.budgets = {
+        {.name = "overdraw.p95", .unit = "fragments/pixel", .limit = 6, .value = 7.25, .frame = 12, .exceeded = true},
+        {.name = "triangles", .unit = "count", .limit = 456, .atLeast = true, .value = 456, .frame = 1},
+        {.name = "caps.dark", .unit = "count", .limit = 2.5, .exceeded = true},
+        {.name = "stencil.max",
+         .unit = "layers",
+         .limit = 2,
+         .value = 3,
+         .frame = 1,
+         .light = "Lamp, <left>",
+         .exceeded = true}};
     made.renderCommand = "umbrage render court\\ yard.yaml --out out/courtyard";
     made.acceptCommand = "umbrage accept tests/golden/courtyard out/courtyard";
     return made;
@@ -77,6 +89,14 @@ inline Comparison sequence(int frames) {
             if (fails) image.worst = {40, 30};
         }
     }
+    return made;
+}
+
+/// All pictures pass, and one of two budgets does not hold.
+inline Comparison overBudget() {
+    Comparison made = sequence(15);
+    const Comparison other = everyOutcome();
+    made.budgets = {other.budgets[0], other.budgets[1]};
     return made;
 }
 

@@ -37,6 +37,7 @@ TEST(ComparisonJson, ComesBackAsItWas) {
     EXPECT_FALSE(after.images[std::size_t(Outcome::MissingOutput)].decision);
     EXPECT_EQ(after.statistics[0].output, 125.5);
     EXPECT_EQ(after.statistics[0].frame, 3);
+    EXPECT_EQ(after.budgets, before.budgets);
     EXPECT_EQ(after.acceptCommand, before.acceptCommand);
 }
 
@@ -46,6 +47,22 @@ TEST(ComparisonJson, HasNumbersInTheirShortestFormAndNullForInfinity) {
     EXPECT_THAT(text, HasSubstr("\"value\": 0.7000000000000001"));
     EXPECT_THAT(text, HasSubstr("\"golden\": 100,"));
     EXPECT_THAT(text, HasSubstr("\"psnr\": null"));
+}
+
+TEST(ComparisonJson, HasBudgetsAsStatisticsFilesDoAndTheirUnits) {
+    const Json json = Json::parse(comparisonJson(everyOutcome()));
+    EXPECT_EQ(json["budgets"][0], Json::parse(R"({"name": "overdraw.p95", "max": 6, "value": 7.25, "frame": 12,
+                                                  "exceeded": true, "unit": "fragments/pixel"})"));
+    EXPECT_EQ(json["budgets"][1], Json::parse(R"({"name": "triangles", "min": 456, "value": 456, "frame": 1,
+                                                  "exceeded": false, "unit": "count"})"));
+    EXPECT_EQ(json["budgets"][2],
+              Json::parse(R"({"name": "caps.dark", "max": 2.5, "exceeded": true, "unit": "count"})"));
+    EXPECT_EQ(json["budgets"][3]["light"], "Lamp, <left>");
+    EXPECT_FALSE(Json::parse(comparisonJson(sequence(1))).contains("budgets"));
+
+    const Json over = Json::parse(comparisonJson(overBudget()));
+    EXPECT_EQ(over["passes"], false);
+    EXPECT_EQ(over["counts"], Json::parse(R"({"pass": 61, "fail": 1})"));
 }
 
 TEST(ComparisonJson, KeepsItsSchema) {
@@ -61,7 +78,8 @@ TEST(ComparisonJson, KeepsItsSchema) {
     };
     for (const Json& bad :
          {broken("/passes", 1), broken("/images/0/outcome", "passes"), broken("/images/4/worst", {1, 2, 3}),
-          broken("/images/4/decision/rule", nullptr), broken("/images/0/figures/max-abs", "0"), broken("/other", 1)}) {
+          broken("/images/4/decision/rule", nullptr), broken("/images/0/figures/max-abs", "0"), broken("/other", 1),
+          broken("/budgets/0/min", 1), broken("/budgets/0/unit", 1), broken("/budgets/0/exceeded", "yes")}) {
         EXPECT_FALSE(validates(schema, bad));
     }
 }
@@ -86,6 +104,9 @@ TEST(ComparisonJson, RefusesWhatTheWriterWouldNotWrite) {
     EXPECT_THAT(message("/images/4/worst", {1}), HasSubstr("/images/4/worst: must be a pair"));
     EXPECT_THAT(message("/images/0/width", -1), HasSubstr("/images/0/width: must not be negative"));
     EXPECT_THAT(message("/images/0/frame", 1.5), HasSubstr("must be a whole number"));
+    EXPECT_THAT(message("/budgets/0/min", 1), HasSubstr("/budgets/0: has both \"min\" and \"max\""));
+    EXPECT_THAT(message("/budgets/2/value", 1), HasSubstr("/budgets/2: has a value, but of no frame"));
+    EXPECT_THAT(message("/budgets/1/unit", 1), HasSubstr("/budgets/1/unit: must be a string"));
     EXPECT_THAT(message("/passes", true), HasSubstr("/passes: contradicts the outcomes"));
     EXPECT_THROW(readComparison("{\"format\":", "c.json"), Error);
     EXPECT_THROW(readComparison("[]", "c.json"), Error);
@@ -118,6 +139,11 @@ TEST(Comparison, PassesWhenAllOutcomesDo) {
     }
     comparison.images.clear();
     comparison.statistics.push_back({"triangles", 0, Outcome::Fail});
+    EXPECT_FALSE(comparison.passes());
+    comparison.statistics.clear();
+    comparison.budgets = {overBudget().budgets[1]};
+    EXPECT_TRUE(comparison.passes());
+    comparison.budgets = overBudget().budgets;
     EXPECT_FALSE(comparison.passes());
 }
 

@@ -103,6 +103,14 @@ TEST(ComparisonPage, WorksWithoutPictures) {
     EXPECT_THAT(comparisonPage(everyOutcome(), [](const ImageResult&) { return PagePictures{}; }), HasSubstr("1 warn"));
 }
 
+TEST(ComparisonPage, SaysFailOfABrokenBudgetAlone) {
+    const std::string page = comparisonPage(overBudget(), [](const ImageResult&) { return std::nullopt; });
+    EXPECT_THAT(page, HasSubstr("<title>Golden frames: fail</title>"));
+    EXPECT_THAT(page, HasSubstr("\"verdict\":\"1 fail, 61 pass\""));
+    EXPECT_THAT(page, HasSubstr("\"name\":\"overdraw.p95\",\"max\":6,\"value\":7.25"));
+    EXPECT_LT(page.find("id=\"budgets-part\""), page.find("id=\"images\""));
+}
+
 TEST(ComparisonPage, SaysWhatWasLeftOutOfALargePage) {
     Comparison comparison = sequence(3);
     comparison.images[0].outcome = Outcome::Warn;

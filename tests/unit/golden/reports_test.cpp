@@ -12,6 +12,8 @@
 #include <sstream>
 
 #include "comparisons.h"
+#include "golden/result_text.h"
+#include "job/golden_rules.h"
 
 namespace umbrage {
 namespace {
@@ -56,11 +58,11 @@ TEST(ComparisonJunit, IsValidByTheCommonSchema) {
     EXPECT_EQ(validated(comparisonJunit(odd)), 0) << comparisonJunit(odd);
 }
 
-TEST(ComparisonJunit, HasACaseForEachImageAndColumn) {
+TEST(ComparisonJunit, HasACaseForEachImageColumnAndBudget) {
     const pugi::xml_document document = parsed(comparisonJunit(everyOutcome()));
     const pugi::xml_node all = document.child("testsuites");
-    EXPECT_EQ(all.attribute("tests").as_int(), 15);
-    EXPECT_EQ(all.attribute("failures").as_int(), 9) << "eight images and a column";
+    EXPECT_EQ(all.attribute("tests").as_int(), 19);
+    EXPECT_EQ(all.attribute("failures").as_int(), 12) << "eight images, a column and three budgets";
     EXPECT_EQ(all.attribute("errors").as_int(), 1);
     const pugi::xml_node beauty = all.find_child_by_attribute("testsuite", "name", "beauty");
     EXPECT_EQ(beauty.attribute("tests").as_int(), 12);
@@ -94,10 +96,24 @@ TEST(ComparisonJunit, HasACaseForEachImageAndColumn) {
     EXPECT_STREQ(
         testcase("statistics", "overdraw.fragments Lamp frame 3").child("failure").attribute("message").value(),
         "fail: 125.5 instead of 100 in frame 3, tolerance 0.01");
+    const pugi::xml_node budgets = all.find_child_by_attribute("testsuite", "name", "budgets");
+    EXPECT_EQ(budgets.attribute("tests").as_int(), 4);
+    EXPECT_EQ(budgets.attribute("failures").as_int(), 3);
+    const auto broken = [&](const char* name) {
+        return std::string(testcase("budgets", name).child("failure").attribute("message").value());
+    };
+    EXPECT_EQ(broken("overdraw.p95 max"),
+              "fail: overdraw.p95 is 7.250 fragments/pixel in frame 12, 1.250 (20.8 %) over the budget of 6");
+    EXPECT_EQ(broken("caps.dark max"),
+              "fail: caps.dark has no value in any frame, so nothing says that it is at most 2.500");
+    EXPECT_EQ(broken("stencil.max max"),
+              "fail: stencil.max is 3 layers in frame 1, light Lamp, <left>, 1 (50.0 %) over the budget of 2");
+    EXPECT_STREQ(testcase("budgets", "triangles min").attribute("classname").value(), "golden.budgets");
+    EXPECT_FALSE(testcase("budgets", "triangles min").first_child());
     EXPECT_THAT(comparisonJunit(everyOutcome()), Not(HasSubstr("time")));
 }
 
-TEST(ComparisonCsv, HasARowForEachImageAndAColumnForEachFigure) {
+TEST(ComparisonCsv, HasARowForEachImageAndBudgetAndAColumnForEachFigure) {
     const std::vector<std::string> lines = linesOf(comparisonCsv(everyOutcome()));
     ASSERT_GT(lines.size(), kOutcomes.size());
     EXPECT_EQ(lines[0], "name,aov,frame,outcome,rule,metric,limit,value,reason,max-abs,psnr,flip");
@@ -109,11 +125,19 @@ TEST(ComparisonCsv, HasARowForEachImageAndAColumnForEachFigure) {
               "beauty/fail.0001.png,beauty,1,fail,shadows,max-abs,0.004,0.7000000000000001,\"more than the limit:");
     EXPECT_EQ(lines[6], "50%, <a> & \"\"b\"\"\",0.7000000000000001,24.25,0.1");
     EXPECT_EQ(lines[10], "\"odd, ]]> name%::file.png\",,1,extra-output,,,,,,,,");
+    ASSERT_EQ(lines.size(), 1 + kOutcomes.size() + 1 + 4);
+    EXPECT_EQ(lines[15],
+              "budget overdraw.p95,,12,fail,max,overdraw.p95,6,7.25,\"overdraw.p95 is 7.250 fragments/pixel in frame "
+              "12, 1.250 (20.8 %) over the budget of 6\",,,");
+    EXPECT_EQ(lines[16], "budget triangles,,1,pass,min,triangles,456,456,,,,");
+    EXPECT_EQ(lines[17],
+              "budget caps.dark,,,fail,max,caps.dark,2.5,,\"caps.dark has no value in any frame, so nothing says that "
+              "it is at most 2.500\",,,");
 }
 
 TEST(ComparisonAnnotations, SayWhatFailsAndWhatWarns) {
     const std::vector<std::string> lines = linesOf(comparisonAnnotations(everyOutcome()));
-    ASSERT_EQ(lines.size(), 11u) << "nine images that fail, one that warns, one column";
+    ASSERT_EQ(lines.size(), 14u) << "nine images that fail, one that warns, one column, three budgets";
     EXPECT_EQ(
         lines[0],
         "::warning file=tests/golden/courtyard/beauty/warn.0001.png,title=warn%3A beauty/warn.0001.png::near: psnr "
@@ -127,16 +151,24 @@ TEST(ComparisonAnnotations, SayWhatFailsAndWhatWarns) {
               "name%25%3A%3Afile.png::an output that nobody asked for");
     EXPECT_EQ(lines[10],
               "::error title=fail%3A overdraw.fragments Lamp::125.5 instead of 100 in frame 3, tolerance 0.01");
+    EXPECT_EQ(
+        lines[11],
+        "::error title=fail%3A budget overdraw.p95::overdraw.p95 is 7.250 fragments/pixel in frame 12, 1.250 (20.8 "
+        "%25) over the budget of 6");
 }
 
 TEST(ComparisonMarkdown, FitsAScreenAndPutsTheWorstFirst) {
     const std::string text = comparisonMarkdown(everyOutcome());
-    EXPECT_THAT(text, testing::StartsWith("## Golden frames: fail\n\n2 fail, 1 unexpected-pass, 1 missing-output"));
+    EXPECT_THAT(text, testing::StartsWith("## Golden frames: fail\n\n5 fail, 1 unexpected-pass, 1 missing-output"));
     EXPECT_THAT(text, HasSubstr("- no manifest.json beside"));
     EXPECT_THAT(text, HasSubstr("| beauty/fail.0001.png | fail | more than the limit:?50%, \\<a> & \"b\" "));
     EXPECT_THAT(text, HasSubstr("```sh\numbrage accept tests/golden/courtyard out/courtyard\n```"));
     EXPECT_LT(text.find("beauty/fail.0001.png"), text.find("beauty/warn.0001.png"));
     EXPECT_THAT(text, Not(HasSubstr("beauty/pass")));
+    EXPECT_THAT(text, HasSubstr("| budget stencil.max | fail | stencil.max is 3 layers in frame 1, light Lamp, "));
+    EXPECT_THAT(text, Not(HasSubstr("triangles")));
+    EXPECT_LT(text.find("budget caps.dark"), text.find("budget stencil.max")) << "what has no value is the worst";
+    EXPECT_LT(text.find("budget stencil.max"), text.find("budget overdraw.p95")) << "half over, a fifth over";
 
     Comparison many = sequence(48);
     for (ImageResult& image : many.images) image.outcome = Outcome::Fail;
@@ -146,6 +178,21 @@ TEST(ComparisonMarkdown, FitsAScreenAndPutsTheWorstFirst) {
     EXPECT_THAT(long_, HasSubstr("\nand 172 more\n"));
     const std::string head = "|---|---|---|\n| ";
     EXPECT_EQ(long_.substr(long_.find(head) + head.size(), many.images[100].name.size()), many.images[100].name);
+}
+
+TEST(ComparisonMarkdown, SaysFailAndWhyOfABrokenBudgetAlone) {
+    const std::string text = comparisonMarkdown(overBudget());
+    EXPECT_THAT(text, testing::StartsWith("## Golden frames: fail\n\n1 fail, 61 pass\n\n"));
+    EXPECT_THAT(text, HasSubstr("| budget overdraw.p95 | fail | overdraw.p95 is 7.250 fragments/pixel in frame 12, "));
+    EXPECT_THAT(text, HasSubstr("To render again:"));
+}
+
+TEST(ResultText, KnowsOfEachMetricWhichValuesAreWorse) {
+    for (const MetricInfo& metric : kMetrics) {
+        EXPECT_EQ(isWorseBelow(std::string(metric.name)), !metric.largerIsWorse) << metric.name;
+    }
+    EXPECT_TRUE(isWorseBelow("psnr"));
+    EXPECT_FALSE(isWorseBelow("of another version"));
 }
 
 TEST(ComparisonMarkdown, OfAPassIsShort) {
