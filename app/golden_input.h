@@ -20,7 +20,7 @@ struct GoldenInput {
     GoldenRules rules;                                          // of the sequence
     std::optional<std::map<std::string, ManifestImage>> asked;  // of the sequence: what it makes
     std::string renderCommand, acceptCommand;                   // to do it again
-    std::vector<BudgetResult> budgets{};                          // of the sequence
+    std::vector<BudgetResult> budgets{};                        // of the sequence
     bool interrupted = false;                                   // while rendering
 };
 

@@ -84,7 +84,8 @@ rules:
                                                     {"beauty.0010.png", "unreadable"},
                                                     {"old.0008.png", "extra-output"}};
     std::map<std::string, std::string> found;
-    for (const auto& image : json("r.json")["images"]) found[image["name"]] = image["outcome"];
+    const nlohmann::json report = json("r.json");
+    for (const auto& image : report["images"]) found[image["name"]] = image["outcome"];
     EXPECT_EQ(found, wanted);
     const std::string xml = contentsOf(folder() / "r.xml"), csv = contentsOf(folder() / "r.csv"),
                       html = contentsOf(folder() / "r.html"), markdown = contentsOf(folder() / "r.md");

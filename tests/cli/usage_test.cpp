@@ -73,7 +73,8 @@ TEST_F(Usage, TheSchemaIsData) {
 }
 
 TEST_F(Usage, CommandsThatDoNotExistGetTheNearestOne) {
-    expectUsageError({}, "a command is missing (known: render, verify, bench, inspect, stats, devices, schema)");
+    expectUsageError(
+        {}, "a command is missing (known: render, compare, accept, verify, bench, inspect, stats, devices, schema)");
     expectUsageError({"rendr", "seq.yaml"}, "there is no command 'rendr' (did you mean \"render\"?)");
     expectUsageError({"-q", "rendr"}, "there is no command 'rendr'");
     expectUsageError({"seq.yaml"}, "there is no command 'seq.yaml'");

@@ -52,7 +52,8 @@ std::vector<std::string> Workspace::filesIn(const std::filesystem::path& name) c
     if (!std::filesystem::exists(folder_ / name)) return files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / name)) {
         const bool isManifest = entry.path().filename() == "manifest.json";
-        if (!entry.is_directory() && !isManifest) files.push_back(entry.path().lexically_relative(folder_ / name).string());
+        if (!entry.is_directory() && !isManifest)
+            files.push_back(entry.path().lexically_relative(folder_ / name).string());
     }
     std::sort(files.begin(), files.end());
     return files;
