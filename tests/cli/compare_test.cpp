@@ -118,6 +118,20 @@ TEST_F(Compare, AShadowThatMovedIsSeenAndAcceptedAfterAQuestion) {
     EXPECT_EQ(umbrage({"compare", "seq.yaml"}).exitCode, 0);
 }
 
+TEST_F(Compare, OnATerminalAcceptAsks) {
+    writeSequence(kGolden + "lights: [{type: point, name: New, position: [1, 2, 1], intensity: 30}]\n");
+    const auto answered = [&](const char* answer) {
+        const std::string command = "cd '" + folder().string() + "' && printf '" + answer + "\\n' | script -qec '" +
+                                    UMBRAGE_PROGRAM + " accept seq.yaml' /dev/null > said.txt";
+        EXPECT_EQ(std::system(command.c_str()), 0) << command;
+        return contentsOf(folder() / "said.txt");
+    };
+    EXPECT_THAT(answered("n"), testing::AllOf(HasSubstr("[y/N]"), HasSubstr("nothing was changed")));
+    EXPECT_EQ(umbrage({"compare", "seq.yaml"}).exitCode, 1);
+    EXPECT_THAT(answered("y"), HasSubstr("is up to date"));
+    EXPECT_EQ(umbrage({"compare", "seq.yaml"}).exitCode, 0);
+}
+
 TEST_F(Compare, OtherFramesThanTheGoldensAreSkipped) {
     const Result one = umbrage({"compare", "seq.yaml", "--frames", "2", "--out", "other"});
     EXPECT_EQ(one.exitCode, 0) << one.err;
