@@ -28,8 +28,8 @@ protected:
     Result umbrage(const std::vector<std::string>& arguments) const;
     Result umbrage(Launch launch, const std::vector<std::string>& arguments) const;
 
-    /// Files below a folder of the test's, relative to it, sorted; hidden ones too. Without the manifests that lie beside
-    /// pictures.
+    /// Files below a folder of the test's, relative to it, sorted; hidden ones too. Without the manifests that lie
+    /// beside pictures.
     std::vector<std::string> filesIn(const std::filesystem::path& name) const;
 
 private:
