@@ -11,16 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quotedForShell(const std::string& word) {
-    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-        return c >= 0x80 || std::isalnum(c) || std::string_view("-_./:=,+@%").find(char(c)) != std::string_view::npos;
-    });
-    if (plain) return word;
-    std::string made = "'";
-    for (const char c : word) made += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return made + "'";
-}
-
 bool isSequence(const fs::path& file) {
     return file.extension() == ".yaml";
 }
@@ -37,6 +27,16 @@ std::set<fs::path> sequencesIn(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string quotedForShell(const std::string& word) {
+    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+        return c >= 0x80 || std::isalnum(c) || std::string_view("-_./:=,+@%").find(char(c)) != std::string_view::npos;
+    });
+    if (plain) return word;
+    std::string made = "'";
+    for (const char c : word) made += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return made + "'";
+}
 
 std::string commandLine(int argc, const char* const* argv) {
     std::string line = "umbrage";

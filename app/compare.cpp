@@ -2,12 +2,15 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "budgets.h"
 #include "commands.h"
 #include "exit_codes.h"
 #include "golden/compare_folders.h"
 #include "golden/compare_statistics.h"
 #include "golden/comparison_page.h"
+#include "golden/page_pictures.h"
 #include "golden/reports.h"
 #include "golden/result_text.h"
 #include "golden_input.h"
@@ -24,41 +27,13 @@ void print(const Comparison& comparison, bool all) {
         if (!all && image.outcome == Outcome::Pass) continue;
         fmt::print("{:16} {}: {}\n", infoOf(image.outcome).name, image.name, explanation(image));
     }
-    if (!comparison.statistics.empty()) fmt::print("{}", withinTable(comparison.statistics));
+    const auto fails = [](const StatisticsResult& column) { return !infoOf(column.outcome).passes; };
+    if (std::ranges::any_of(comparison.statistics, fails)) fmt::print("{}", withinTable(comparison.statistics));
+    if (!comparison.statistics.empty()) {
+        fmt::print("{} pictures and {} columns of statistics: ", comparison.images.size(),
+                   comparison.statistics.size());
+    }
     fmt::print("{}\n", countsText(comparison));
-}
-
-/// A picture as the page wants it; integers as floats, of which a page shows no more digits.
-PagePicture pageOf(const StoredImage& image) {
-    PagePicture page{image.data.width, image.data.height, {}, {}, image.displayEncoded};
-    page.values.resize(image.pixelCount() * image.channels.size());
-    for (std::size_t k = 0; k < image.channels.size(); ++k) {
-        page.channels.push_back(image.channels[k].name);
-        const auto spread = [&](const auto& values) {
-            for (std::size_t i = 0; i < values.size(); ++i)
-                page.values[i * image.channels.size() + k] = float(values[i]);
-        };
-        std::visit(spread, image.channels[k].values);
-    }
-    return page;
-}
-
-std::optional<PagePicture> pageOf(const std::filesystem::path& file) {
-    try {
-        return pageOf(codec().read(file));
-    } catch (const Error&) {
-        return std::nullopt;  // the result says so
-    }
-}
-
-std::string pageOf(const Comparison& comparison) {
-    return comparisonPage(comparison, [&](const ImageResult& image) -> std::optional<PagePictures> {
-        const auto file = [&](const std::string& place) {
-            const std::filesystem::path path = place;
-            return std::filesystem::is_directory(path) ? path / image.name : path;
-        };
-        return PagePictures{pageOf(file(comparison.golden)), pageOf(file(comparison.output))};
-    });
 }
 
 void write(const Comparison& comparison, const CompareCommandOptions& options) {
@@ -71,7 +46,9 @@ void write(const Comparison& comparison, const CompareCommandOptions& options) {
     as(options.junit, comparisonJunit);
     as(options.csv, comparisonCsv);
     as(options.markdown, comparisonMarkdown);
-    if (!options.html.empty()) writeWhole(options.html, pageOf(comparison));
+    as(options.html, [&](const Comparison& seenFromThere) {
+        return comparisonPage(seenFromThere, [&](const ImageResult& image) { return picturesOf(comparison, image); });
+    });
     if (options.annotations) fmt::print("{}", comparisonAnnotations(comparison));
 }
 

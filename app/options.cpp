@@ -319,10 +319,7 @@ std::optional<Options> parseOptions(int argc, char** argv, int& exitCode) {
         return std::nullopt;
     }
     if (*renderCommand) options.render = render;
-    if (*compareCommand) {
-        compare.commandLine = commandLine(argc, argv);
-        options.compare = compare;
-    }
+    if (*compareCommand) options.compare = compare;
     if (*acceptCommand) options.accept = accept;
     if (*verifyCommand) {
         verify.commandLine = commandLine(argc, argv);

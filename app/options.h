@@ -32,7 +32,6 @@ struct CompareCommandOptions {
     RenderOptions render;             // of the sequence, but for its input
     std::string rules, json, junit, csv, html, markdown;
     bool annotations = false, otherDevice = false, all = false;
-    std::string commandLine;  // as typed, for reports
 };
 
 struct AcceptCommandOptions {

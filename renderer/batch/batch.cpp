@@ -117,6 +117,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     const FrameRange range = framesOf(job, composition);
     const std::vector<int>& frames = range.frames();
     summary.requested = frames.size();
+    summary.images = imagesOf(job, frames);
     const gpu::Context context(options.device);
     const Moment first = evaluate(composition.scene, composition.animations, frameSeconds(job, frames.front()));
     FrameMaker maker(job, composition, first, context);
@@ -131,6 +132,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     observer.note(fmt::format("colour: {}", display->description()));
     const Metadata metadata = metadataOf(composition, context.info(), *display, first);
     const AovMetadata metadataOfAovs = outputs.wants("ids") ? idMetadata(composition.scene, first) : AovMetadata{};
+    const std::string fingerprint = fingerprintOf(job.shape, composition.scene.sources, display->cacheId());
     summary.loadSeconds = secondsSince(start);
     observer.started(frames.size());
 
@@ -172,8 +174,7 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
     }
     const std::string processor = context.info().software ? processorFlags() : "";
     noteProvenance(job, summary.written,
-                   {context.info().renderer, context.info().version, processor, std::string(kVersion),
-                    fingerprintOf(job.shape, composition.scene.sources, display->cacheId())});
+                   {context.info().renderer, context.info().version, processor, std::string(kVersion), fingerprint});
     if (job.statistics.isWanted()) {
         StatisticsFile file = statistics.file(
             {{"sequence", job.file.filename().string()},
@@ -185,10 +186,6 @@ BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver
         summary.budgets = file.budgets;
     }
     return summary;
-}
-
-std::map<std::string, ManifestImage> imagesOf(const Job& job, const BatchOptions& options) {
-    return imagesOf(job, framesOf(job, compose(job, gltfOptionsOf(options))).frames());
 }
 
 std::vector<std::filesystem::path> checkBatch(const Job& job, const BatchOptions& options) {

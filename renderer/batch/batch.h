@@ -34,6 +34,7 @@ struct BatchSummary {
     std::vector<int> written;  // frames whose files are all there, ascending
     std::vector<int> missing;  // the others of the job
     std::size_t requested = 0;
+    std::map<std::string, ManifestImage> images;  // of all frames of the job, by name from outputFolder() on
     double loadSeconds = 0.0, renderSeconds = 0.0;
     double peakMemoryMebibytes = 0.0;
     std::filesystem::path example;      // the first image written; empty: none was asked for
@@ -45,9 +46,6 @@ struct BatchSummary {
 /// @throws Error; frames written by then are whole
 BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver& observer,
                       const std::atomic<bool>& interrupted);
-
-/// The pictures that the job makes, by name from outputFolder() on. Loads and composes. @throws Error
-std::map<std::string, ManifestImage> imagesOf(const Job& job, const BatchOptions& options);
 
 /// Loads and composes what the job names, without a device. @throws Error
 /// @return the files that runBatch() would write

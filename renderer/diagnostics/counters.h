@@ -63,7 +63,7 @@ inline constexpr std::array kCounters{
     CounterInfo{"casters.zfail", "count", "casters counted by z-fail because the eye is near their volumes"},
     CounterInfo{"casters.outOfReach", "count", "casters skipped because they are out of the light's range or cone"},
     CounterInfo{"casters.outOfView", "count", "casters skipped because no view ray meets them or their volumes"},
-    CounterInfo{"casters.ended", "count", "casters the sides of whose volumes end behind all that the light can shine on"},
+    CounterInfo{"casters.ended", "count", "casters whose volumes end behind all that the light can shine on"},
     CounterInfo{"lights.fellBack", "count", "lights counted by z-pass where the chosen technique is not exact"},
     CounterInfo{"lights.skipped", "count", "lights that provably change no pixel of the frame"},
     // device

@@ -27,7 +27,7 @@ struct FrameSettings {
     bool shadows = true;
     std::string silhouette = "compute", count = "z-pass";  // of kSilhouettes and kCounts
     WhenInexact whenInexact = WhenInexact::FallBack;
-    double extrusionMetres = 0.0;  // of z-fail-finite; 0: chosen
+    double extrusionMetres = 0.0;  // of z-fail-finite; 0: behind all that a light shines on
     bool eyeConstant = true;
     JobParts parts;
     // Skips: without effect on picture and masks, but for the last. They change counts, so they are off whenever counts

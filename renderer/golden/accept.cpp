@@ -3,14 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "error.h"
 #include "golden/compare_folders.h"
 #include "golden/compare_images.h"
 #include "image/image.h"
+#include "job/yaml_tree.h"
 
 namespace umbrage {
 namespace {
@@ -32,12 +31,6 @@ std::string differenceOf(const fs::path& golden, const fs::path& output) {
     } catch (const Error& error) {
         return error.what();
     }
-}
-
-std::string contentsOfPicture(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw Error(ErrorKind::Input, file.string(), "cannot be read");
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace
@@ -94,7 +87,7 @@ void accept(const AcceptPlan& plan) {
             if (failed) throw Error(ErrorKind::Output, golden.string(), failed.message());
             manifest.images.erase(change.name);
         } else {
-            writeWhole(golden, contentsOfPicture(plan.output / change.name));
+            writeWhole(golden, contentsOf(plan.output / change.name));
         }
     }
     if (!plan.outputFrom) {

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -17,6 +15,7 @@
 #include "golden/compare_statistics.h"
 #include "image/image.h"
 #include "job/glob.h"
+#include "job/yaml_tree.h"
 
 namespace umbrage {
 namespace {
@@ -236,9 +235,7 @@ ManifestImage namedImage(const std::string& name) {
 bool equalFiles(const fs::path& a, const fs::path& b) {
     std::error_code failed;
     if (fs::file_size(a, failed) != fs::file_size(b, failed) || failed) return false;
-    std::ifstream one(a, std::ios::binary), other(b, std::ios::binary);
-    return one && other &&
-           std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {});
+    return contentsOf(a) == contentsOf(b);
 }
 
 Comparison comparePictures(const fs::path& golden, const fs::path& output, const CompareOptions& options) {

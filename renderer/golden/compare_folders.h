@@ -39,7 +39,7 @@ std::vector<std::string> picturesIn(const std::filesystem::path& folder, const s
 /// AOV and frame as NAME.FRAME.EXT says them; without a frame the AOV is empty.
 ManifestImage namedImage(const std::string& name);
 
-/// Whether two files hold the same bytes; false where one cannot be read.
+/// Whether two files hold the same bytes; false where one is missing. @throws Error(Input) for what cannot be read
 bool equalFiles(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace umbrage

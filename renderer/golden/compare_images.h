@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "golden/comparison.h"
+#include "golden/metrics.h"
 #include "image/image.h"
 #include "job/golden_rules.h"
 
@@ -14,8 +15,7 @@ namespace umbrage {
 
 /// What holds for one picture.
 struct ImageRules {
-    double tolerance = 0.0;
-    int window = 11;
+    MeasureSettings measure;
     std::vector<GoldenLimit> all, any;
     std::string skip, expectFailure;
 };

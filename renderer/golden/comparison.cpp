@@ -11,4 +11,9 @@ bool Comparison::passes() const {
            !anyExceeded(budgets);
 }
 
+std::string fileAt(const std::string& place, const ImageResult& image) {
+    if (place.empty() || place.ends_with(".png") || place.ends_with(".exr")) return place.empty() ? image.name : place;
+    return place + "/" + image.name;
+}
+
 }  // namespace umbrage

@@ -119,4 +119,7 @@ struct Comparison {
     bool passes() const;
 };
 
+/// A picture's file at Comparison::golden or output, which are folders, or that file.
+std::string fileAt(const std::string& place, const ImageResult& image);
+
 }  // namespace umbrage

@@ -22,7 +22,7 @@ struct MeasureSettings {
     /// A pixel differs where any of its samples does by more than this; integer samples by anything at all.
     double tolerance = 0.0;
     /// Pixels on a side of densest's window, >= 1; it is clipped to the picture where that is smaller.
-    int window = 16;
+    int window = 11;
     /// Relative differences are |output - golden| / max(|golden|, this), > 0: near black a ratio says nothing.
     double relativeFloor = 0.01;
     /// Of the viewer FLIP stands for: 67 is a display of 0.7 m and 3840 pixels across, seen from 0.7 m.

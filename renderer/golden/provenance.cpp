@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "error.h"
 #include "image/image.h"
+#include "job/yaml_tree.h"
 
 namespace umbrage {
 namespace {
@@ -30,14 +29,7 @@ std::string textOf(const Manifest& manifest) {
 }
 
 std::optional<std::string> contentsIfThere(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return std::nullopt;
-    return std::string{std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::uint64_t hashOfFile(const fs::path& file) {
-    const std::optional<std::string> bytes = contentsIfThere(file);
-    return bytes ? XXH3_64bits(bytes->data(), bytes->size()) : 0;
+    return fs::exists(file) ? std::optional(contentsOf(file)) : std::nullopt;
 }
 
 }  // namespace
@@ -102,7 +94,8 @@ std::string processorFlags() {
 std::string fingerprintOf(const std::string& shape, std::span<const fs::path> sources, const std::string& color) {
     std::string all = shape + "\n" + color;
     for (const fs::path& source : sources) {
-        all += fmt::format("\n{} {:016x}", source.filename().string(), hashOfFile(source));
+        const std::string bytes = contentsOf(source);
+        all += fmt::format("\n{} {:016x}", source.filename().string(), XXH3_64bits(bytes.data(), bytes.size()));
     }
     return fmt::format("{:016x}", XXH3_64bits(all.data(), all.size()));
 }

@@ -44,6 +44,7 @@ std::string processorFlags();
 /// @param sources  the scene's files, whose contents count
 /// @param color  the display transform's cache id
 /// @return 16 hexadecimal digits
+/// @throws Error(Input) for a source that cannot be read
 std::string fingerprintOf(const std::string& shape, std::span<const std::filesystem::path> sources,
                           const std::string& color);
 

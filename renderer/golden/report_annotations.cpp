@@ -35,8 +35,7 @@ std::string comparisonAnnotations(const Comparison& comparison) {
     std::string text;
     for (const ImageResult& image : comparison.images) {
         // the golden is the file that the repository has
-        const std::string file = comparison.golden.empty() ? image.name : comparison.golden + "/" + image.name;
-        text += command(file, image.name, image.outcome, explanation(image));
+        text += command(fileAt(comparison.golden, image), image.name, image.outcome, explanation(image));
     }
     for (const StatisticsResult& column : comparison.statistics) {
         text += command("", column.column, column.outcome, explanation(column));

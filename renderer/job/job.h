@@ -154,7 +154,7 @@ struct Job {
         bool enabled = true;
         std::string count = "auto";  // of kCounts
         std::string whenInexact = "fall-back";
-        double extrusionMetres = 0.0;     // 0: chosen
+        double extrusionMetres = 0.0;     // 0: behind all that a light shines on
         std::string silhouette = "auto";  // of kSilhouettes
         bool eyeConstant = true;          // off: the textbook z-pass, wrong with the eye in a volume
         JobParts parts;

@@ -221,9 +221,8 @@ std::string contentsOf(const std::filesystem::path& file) {
     const bool isFolder = std::filesystem::is_directory(file, ignored);
     std::ifstream stream(file, std::ios::binary);
     if (!stream || isFolder)
-        throw Error(
-            ErrorKind::Input, file.string(),
-            isFolder ? "this is a folder, not a YAML file" : std::string("cannot be read: ") + std::strerror(errno));
+        throw Error(ErrorKind::Input, file.string(),
+                    isFolder ? "this is a folder" : std::string("cannot be read: ") + std::strerror(errno));
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 

@@ -2,6 +2,7 @@
 #include "browser.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -144,6 +145,13 @@ void Browser::press(const std::string& key) {
     for (const char* type : {"keyDown", "keyUp"}) {
         event["type"] = type;
         call("Input.dispatchKeyEvent", event);
+    }
+}
+
+void expectQuietAndOffline(const Browser& browser) {
+    EXPECT_TRUE(browser.complaints().empty()) << browser.complaints().front();
+    for (const std::string& url : browser.requests()) {
+        EXPECT_TRUE(url.starts_with("file://") || url.starts_with("data:")) << url;
     }
 }
 

@@ -57,4 +57,7 @@ private:
     std::vector<std::string> complaints_, requests_;
 };
 
+/// Fails the test where the page complained, or asked for anything that is not in its file.
+void expectQuietAndOffline(const Browser& browser);
+
 }  // namespace umbrage::cli

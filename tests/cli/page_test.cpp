@@ -27,12 +27,7 @@ protected:
     }
 
     void TearDown() override {
-        if (browser_) {
-            EXPECT_TRUE(browser_->complaints().empty()) << browser_->complaints().front();
-            for (const std::string& url : browser_->requests()) {
-                EXPECT_TRUE(url.starts_with("file://") || url.starts_with("data:")) << url;
-            }
-        }
+        if (browser_) expectQuietAndOffline(*browser_);
         browser_.reset();
         Workspace::TearDown();
     }

@@ -119,7 +119,7 @@ TEST(CompareImages, AHoleThatAFractionForgivesIsSeenByTheDensestWindow) {
         for (std::size_t x = 4; x < 7; ++x) hole.emplace_back(16 * y + x, 1.0f);
     }
     ImageRules rules;
-    rules.window = 3;
+    rules.measure.window = 3;
     rules.all = {{"few", "fraction", 0.05, {}}, {"no hole", "densest", 0.5, {}}};
     const ImageResult result = compareImages(grey(), grey(hole), rules);
     EXPECT_EQ(result.outcome, Outcome::Fail);
@@ -181,11 +181,11 @@ TEST(RulesFor, LaterOnesWinKeyByKey) {
     GoldenRule frame = rule("beauty.0007.*", {{"equal", "max-abs", 0.0, {}}});
     const std::vector<GoldenRule> rules{byDefault, beauty, frame};
     const ImageRules depth = rulesFor(rules, "a/depth.0001.exr", "depth");
-    EXPECT_EQ(depth.tolerance, 0.25);
+    EXPECT_EQ(depth.measure.tolerance, 0.25);
     EXPECT_EQ(depth.all.front().name, "few");
     const ImageRules seventh = rulesFor(rules, "a/beauty.0007.png", "beauty");
-    EXPECT_EQ(seventh.tolerance, 0.5);
-    EXPECT_EQ(seventh.window, 5);
+    EXPECT_EQ(seventh.measure.tolerance, 0.5);
+    EXPECT_EQ(seventh.measure.window, 5);
     EXPECT_EQ(seventh.all.front().name, "equal");
 }
 
