@@ -10,6 +10,7 @@
 #include "frame/light_counts.h"
 #include "frame/read_aovs.h"
 #include "frame/record.h"
+#include "frame/tile_masks.h"
 #include "frame/volume_diagnostics.h"
 #include "gpu/profiler.h"
 #include "shading/gbuffer.h"
@@ -75,6 +76,7 @@ struct FrameRenderer::Impl {
     std::unique_ptr<SilhouetteTechnique> technique;
     LightCounts counts;
     Silhouettes silhouettes;
+    std::unique_ptr<TileMasks> tiles;          // where counts are made by tiles
     std::unique_ptr<CasterParts> casterParts;  // these two where counts are made by parts
     std::unique_ptr<DepthSampler> depthSampler;
     std::vector<LightParts> parts;  // of all lights of the frame, where somebody wants to see them
@@ -100,6 +102,7 @@ struct FrameRenderer::Impl {
           resolve(gbuffer),
           technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)),
           counts(wanted) {
+        if (counts.byTiles()) tiles = std::make_unique<TileMasks>();
         if (!counts.byParts()) return;
         casterParts = std::make_unique<CasterParts>(s, first, geometry, wanted.parts);
         silhouettes.parts = &casterParts->onDevice();
@@ -240,20 +243,27 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
                         silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
+        std::vector<std::vector<CountPlan>> plans;
+        begin("time.counts");
+        for (std::uint32_t l = 0; l < group.count; ++l) {
+            const bool parallel = parallelToView(*lights[first + l], eye);
+            plans.push_back(
+                counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry));
+        }
+        std::vector<std::vector<CountPlan>> onDevice = plans;
+        if (tiles) tiles->count(onDevice, geometry, silhouettes, group, {gbuffer, *masks, resolve, eye});
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
-            const bool parallel = parallelToView(*lights[first + l], eye);
-            std::vector<CountPlan> plans =
-                counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry);
             LightPlanes& planes = planesOf(lights[first + l]);
-            for (const CountPlan& plan : plans) {
+            for (const CountPlan& plan : onDevice[l]) {
                 masks->count(plan, volumes, geometry, silhouettes, group, l);
                 const gpu::Uncounted uncounted;
                 if (outputs.counts) addCounts(masks->readCounts(plan), plan.wide, planes);
             }
+            if (tiles && outputs.counts) addCounts(tiles->readCounts(l), true, planes);
             profiler.pass(gpu::Profiler::kNoPass);
             if (VolumeDiagnostics::wanted(outputs)) {
-                diagnostics.light(std::move(plans), group, l, shining[first + l], halve, planes, recorder);
+                diagnostics.light(std::move(plans[l]), group, l, shining[first + l], halve, planes, recorder);
             }
             if (outputs.wants("silhouette")) {
                 const gpu::Uncounted uncounted;

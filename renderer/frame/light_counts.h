@@ -21,6 +21,7 @@ public:
 
     double ledge() const { return chosen_->ledge(); }
     bool byParts() const { return chosen_->byParts(); }
+    bool byTiles() const { return chosen_->byTiles(); }
 
     /// Before the silhouettes of a frame are found.
     /// @param ids  of the frame's lights

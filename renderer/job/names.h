@@ -60,16 +60,18 @@ inline constexpr std::array kCounts = {
     CountName{"z-pass-plus", "from the near plane, where the light's view of it counts what it cuts", Exact::Never},
     CountName{"split-plane", "of each part of the casters from the eye before a plane, from infinity behind it",
               Exact::Always},
+    CountName{"tiles", "from the eye, tile by tile on the processor; what needs caps by z-pass or z-fail", Exact::Always},
     CountName{"invert", "from the eye, only whether counts are odd", Exact::UnlessItSaysSo},
     CountName{"z-fail-finite", "from infinity, with volumes that end", Exact::UnlessItSaysSo},
 };
 
-/// Whether a count can draw the sides that a silhouette technique finds: one that cuts volumes needs lists of them, and
+/// Whether a count can draw the sides that a silhouette technique finds: one that cuts volumes or
+/// counts on the processor needs lists of them, and
 /// one that counts by parts of the casters needs sides that know theirs.
 constexpr bool canPair(std::string_view silhouette, std::string_view count) {
     if (count == "split-plane") return silhouette == "compute" || silhouette == "cpu";
     const bool lists = silhouette == "compute" || silhouette == "cpu" || silhouette == "vertex-reject-readback";
-    return lists || count != "near-cap";
+    return lists || (count != "near-cap" && count != "tiles");
 }
 
 /// All pairs, as silhouette:count, the default first.

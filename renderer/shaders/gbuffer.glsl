@@ -72,12 +72,16 @@ vec3 viewPositionAt(float e, vec2 ndc) {
     return view.perspective != 0u ? vec3(ndc * view.rayScale.xy * e, -e) : vec3(ndc * view.rayScale.xy, -e);
 }
 
-/// Bits of the lights of a group that the seen side of the surface faces and whose shadow it is not in.
-uint reachingLights(uint triangle, uint group, vec3 p) {
-    if (triangle == NO_TRIANGLE) return 0u;
+/// Bits of the lights of a group that the seen side of a triangle faces.
+uint facedLights(uint triangle, uint group) {
     vec4 plane = planes[triangle];
     bool seenFront = view.perspective != 0u ? plane.w > 0.0 : plane.z > 0.0;
     uvec2 sides = facing[group * facingStride + triangle];
-    uint dark = texelFetch(maskTexture, ivec3(gl_FragCoord.xy, group), gbufferSample).r;
-    return (seenFront ? sides.x : sides.y) & ~dark;
+    return seenFront ? sides.x : sides.y;
+}
+
+/// Bits of the lights of a group that the seen side of the surface faces and whose shadow it is not in.
+uint reachingLights(uint triangle, uint group, vec3 p) {
+    if (triangle == NO_TRIANGLE) return 0u;
+    return facedLights(triangle, group) & ~texelFetch(maskTexture, ivec3(gl_FragCoord.xy, group), gbufferSample).r;
 }

@@ -26,7 +26,8 @@ std::string capitals(std::string_view name) {
 Resolve::Resolve(const GBuffer& gbuffer)
     : target_("radiance", GL_RGBA32F, gbuffer.depthStencil.size(), nullptr),
       shade_("fullscreen.vert", "resolve.frag", {samplesOf(gbuffer)}),
-      sampleData_("fullscreen.vert", "sample.frag", {samplesOf(gbuffer)}) {
+      sampleData_("fullscreen.vert", "sample.frag", {samplesOf(gbuffer)}),
+      seen_("fullscreen.vert", "seen_tiles.frag", {samplesOf(gbuffer)}) {
     const gpu::Framebuffer::Attachment color{&target_.texture()};
     targetWithDepth_ = gpu::Framebuffer("radiance and depth", std::span(&color, 1), &gbuffer.depthStencil);
     firstSample_ = gbuffer.samplePositions().front();
@@ -76,18 +77,41 @@ std::vector<float> Resolve::readData(const Data& data, const GBuffer& gbuffer, c
     return target_.readMean(data.components);
 }
 
+void Resolve::drawSample(const gpu::Program& program, const GBuffer& gbuffer, const Masks& masks,
+                         const Silhouettes& silhouettes, int sample, const glm::vec2& position) {
+    if (!sample_) sample_ = gpu::ScreenTarget("one sample", GL_RG32UI, {gbuffer.width(), gbuffer.height()}, nullptr);
+    if (gbuffer.samples() > 1) program.uniform(4, GLint(sample));
+    if (&program != &seen_) glProgramUniform2f(program.name(), 5, position.x, position.y);
+    drawFullScreen(program, sample_.framebuffer(), gbuffer, masks, silhouettes);
+}
+
 std::vector<gpu::uvec2> Resolve::readSample(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
                                             int sample, const glm::vec2& position, std::uint32_t group) {
     const int width = gbuffer.width(), height = gbuffer.height();
-    if (!sample_) sample_ = gpu::ScreenTarget("one sample", GL_RG32UI, {width, height}, nullptr);
     sampleData_.uniform(2, group);
-    if (gbuffer.samples() > 1) sampleData_.uniform(4, GLint(sample));
-    glProgramUniform2f(sampleData_.name(), 5, position.x, position.y);
-    drawFullScreen(sampleData_, sample_.framebuffer(), gbuffer, masks, silhouettes);
+    drawSample(sampleData_, gbuffer, masks, silhouettes, sample, position);
     std::vector<gpu::uvec2> pixels(std::size_t(width) * std::size_t(height));
     gpu::readPixels(sample_.framebuffer().name(), width, height, GL_RG_INTEGER, GL_UNSIGNED_INT,
                     pixels.size() * sizeof(gpu::uvec2), pixels.data());
     return pixels;
+}
+
+SeenSample Resolve::readSeen(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes, int sample,
+                             const glm::vec2& position) {
+    const int width = gbuffer.width(), height = gbuffer.height();
+    const std::size_t pixels = std::size_t(width) * std::size_t(height), bytes = 4 * pixels;
+    SeenSample seen{std::vector<std::uint32_t>(pixels), std::vector<float>(pixels)};
+    if (gbuffer.samples() == 1) {
+        const GLuint from = gbuffer.framebuffer.name();
+        gpu::readPixels(from, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, seen.triangles.data());
+        gpu::readPixels(from, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, bytes, seen.depths.data());
+        return seen;
+    }
+    drawSample(seen_, gbuffer, masks, silhouettes, sample, position);
+    const GLuint from = sample_.framebuffer().name();
+    gpu::readPixels(from, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, seen.triangles.data());
+    gpu::readPixels(from, width, height, GL_GREEN_INTEGER, GL_UNSIGNED_INT, bytes, seen.depths.data());
+    return seen;
 }
 
 }  // namespace umbrage

@@ -16,6 +16,11 @@
 
 namespace umbrage {
 
+struct SeenSample {
+    std::vector<std::uint32_t> triangles;
+    std::vector<float> depths;
+};
+
 class Resolve {
 public:
     explicit Resolve(const GBuffer& gbuffer);
@@ -44,7 +49,13 @@ public:
     std::vector<gpu::uvec2> readSample(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes,
                                        int sample, const glm::vec2& position, std::uint32_t group);
 
+    /// Triangle (NO_TRIANGLE: none) and depth of one sample of every pixel, rows from the top.
+    SeenSample readSeen(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes, int sample,
+                        const glm::vec2& position);
+
 private:
+    void drawSample(const gpu::Program& program, const GBuffer& gbuffer, const Masks& masks,
+                    const Silhouettes& silhouettes, int sample, const glm::vec2& position);
     void drawFullScreen(const gpu::Program& program, const gpu::Framebuffer& target, const GBuffer& gbuffer,
                         const Masks& masks, const Silhouettes& silhouettes);
 
@@ -52,7 +63,7 @@ private:
     gpu::ScreenTarget target_;
     gpu::Framebuffer targetWithDepth_;
     gpu::ScreenTarget sample_;  // on first use
-    gpu::Program shade_, sampleData_;
+    gpu::Program shade_, sampleData_, seen_;
     std::map<std::string, gpu::Program, std::less<>> data_;  // by name, on first use
     gpu::VertexArray noVertices_{"full screen"};
 };

@@ -14,6 +14,7 @@ std::unique_ptr<CountTechnique> makeZPassPlus();
 std::unique_ptr<CountTechnique> makeInvert();
 std::unique_ptr<CountTechnique> makeZFailFinite(double endMetres);
 std::unique_ptr<CountTechnique> makeSplitPlane();
+std::unique_ptr<CountTechnique> makeTiles();
 
 std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name, const CountOptions& options) {
     if (name == "z-pass") return makeZPass();
@@ -23,6 +24,7 @@ std::unique_ptr<CountTechnique> makeCountTechnique(std::string_view name, const 
     if (name == "invert") return makeInvert();
     if (name == "z-fail-finite") return makeZFailFinite(options.endMetres);
     if (name == "split-plane") return makeSplitPlane();
+    if (name == "tiles") return makeTiles();
     throw std::logic_error("no such count technique: " + std::string(name));
 }
 

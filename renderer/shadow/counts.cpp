@@ -50,9 +50,9 @@ std::vector<CountPlan> CountTechnique::plan(const CountInput& input) const {
     CountPlan halved;
     halved.layerBound = layerBound;
     if (!parallelToView) addSides(halved, LIST_HALVED, Rule::Pass, start, summary);
-    const int crossings = settings.halve ? 2 : 1;  // for a quad
+    halved.crossings = settings.halve ? 2 : 1;
     halved.eyeLayers = eyeInside(LIST_HALVED);
-    halved.litValue = -halved.eyeLayers / crossings;
+    halved.litValue = -halved.eyeLayers / halved.crossings;
     halved.wide = layerBound > (settings.halve ? 511 : 255);
     halved.allDark = settings.halve && halved.eyeLayers % 2 != 0;
     if (!halved.parts.empty() || halved.eyeLayers != 0) plans.push_back(std::move(halved));

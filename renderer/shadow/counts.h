@@ -30,6 +30,7 @@ struct CountPlan {
     bool allDark = false;               // the eye constant alone decides
     bool wide = false;                  // counts may exceed what 8 bits hold (T6)
     std::uint32_t layerBound = 0;       // no count is larger
+    int crossings = 1;                  // that one of its count stands for
     int eyeLayers = 0;                  // volumes that hold every sample's start, and that no part counts
     bool byParts = false;               // its parts have Rule::Split, so that it is wide ...
     std::vector<std::uint32_t> starts;  // ... and these parts of the casters start from a constant of their own
@@ -101,6 +102,9 @@ public:
 
     /// Whether it counts by parts of the casters (Silhouettes::parts).
     virtual bool byParts() const { return false; }
+
+    /// Whether the processor counts what z-pass counts without caps, see shadow/tile_lights.h.
+    virtual bool byTiles() const { return false; }
 
     /// The halved and the whole count of a light, as far as there is something to count.
     virtual std::vector<CountPlan> plan(const CountInput& input) const;

@@ -181,6 +181,13 @@ void Masks::set(std::uint32_t group, std::span<const std::uint32_t> bits) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+void Masks::upload(std::uint32_t group, std::span<const std::uint32_t> bits) {
+    const gpu::Texture::Size size = texture_.size();
+    gpu::activity().uploadedBytes += bits.size_bytes();
+    glTextureSubImage3D(texture_.name(), 0, 0, 0, GLint(group), size.width, size.height, 1, GL_RED_INTEGER,
+                        GL_UNSIGNED_INT, bits.data());
+}
+
 const gpu::Framebuffer& Masks::singleSampled(bool wide) const {
     const gpu::Framebuffer& counted = wide ? wideTarget_ : stencilOnly_;
     if (!oneSample_.name()) return counted;

@@ -28,6 +28,9 @@ public:
     /// Sets all bits of a group to those given: sample after sample, rows from the top of each.
     void set(std::uint32_t group, std::span<const std::uint32_t> bits);
 
+    /// The same, of a picture with one sample a pixel. Before anything else of the group is counted.
+    void upload(std::uint32_t group, std::span<const std::uint32_t> bits);
+
     /// What the last count() counted, rows from the top; one sample of each pixel. Waits.
     /// @param plan  what was given to count()
     /// @return layers over each sample; where rounding on a shadow's border makes a negative count, its magnitude, so

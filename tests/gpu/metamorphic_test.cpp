@@ -46,7 +46,8 @@ TEST(Metamorphic, M1AllTechniquesCountTheSameLayersOrMakeTheSameMasks) {
             const FramePixels other = picture(subject, how);
             // Volumes that are cut have other corners, which round anew; those that end count nothing beyond a light's
             // range; parity is no count; and what a geometry stage makes is rounded otherwise on llvmpipe
-            // (docs/silhouettes.md). On borders these may differ.
+            // (docs/silhouettes.md). On borders these may differ. More where a technique snaps no corners to a grid of
+            // 1/256 pixel, as the device does.
             const bool sameCorners =
                 technique.count == "z-pass" || technique.count == "z-fail" || technique.count == "split-plane";
             if (technique.silhouette == "geometry-shader") {
@@ -54,6 +55,8 @@ TEST(Metamorphic, M1AllTechniquesCountTheSameLayersOrMakeTheSameMasks) {
             } else if (sameCorners) {
                 EXPECT_EQ(countDifferences(reference, other), 0u);
                 EXPECT_EQ(maskDifferences(reference, other), 0u);
+            } else if (technique.count == "tiles") {
+                EXPECT_LE(maskDifferences(reference, other), reference.seen.triangles.size() / 1000);
             } else {
                 EXPECT_LE(maskDifferences(reference, other), 4u);
             }

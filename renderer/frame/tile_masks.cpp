@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "frame/tile_masks.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace umbrage {
+
+SeenTiles TileMasks::see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample) const {
+    const SeenSample read = target.resolve.readSeen(target.gbuffer, target.masks, silhouettes, sample, eye.sample);
+    SeenPicture picture;
+    picture.triangles = read.triangles;
+    picture.depths = read.depths;
+    picture.noTriangle = NO_TRIANGLE;
+    picture.emptyDepth = target.eye.emptyDepth();
+    const double sceneDepths = 1.0 - target.eye.ledge, range = target.eye.zfar - target.eye.znear;
+    picture.depthScale = (target.eye.perspective ? 1.0 / target.eye.znear : range) / sceneDepths;
+    picture.depthOffset = target.eye.perspective ? 0.0 : -target.eye.zfar;
+    picture.planes = lights_.planes();
+    picture.facing = lights_.facing();
+    SeenTiles seen(eye.width, eye.height);
+    seen.set(picture, eye);
+    return seen;
+}
+
+void TileMasks::count(std::vector<std::vector<CountPlan>>& plans, const Geometry& geometry,
+                      const Silhouettes& silhouettes, const LightGroup& group, const Target& target) {
+    std::vector<std::vector<CountPlan>> taken(plans.size());
+    for (std::size_t l = 0; l < plans.size(); ++l) {
+        const auto ours =
+            std::ranges::partition(plans[l], [](const CountPlan& plan) { return !TileLights::takes(plan); });
+        taken[l].assign(std::make_move_iterator(ours.begin()), std::make_move_iterator(ours.end()));
+        plans[l].erase(ours.begin(), ours.end());
+    }
+    seen_.clear();
+    counted_.clear();
+    if (std::ranges::all_of(taken, [](const auto& of) { return of.empty(); })) return;
+    if (!ties_) ties_ = gpu::findSampleTies();
+    lights_.begin(geometry, silhouettes, group);
+    const int width = target.gbuffer.width(), height = target.gbuffer.height();
+    const std::vector<glm::vec2> positions = target.gbuffer.samplePositions();
+    const std::size_t pixels = std::size_t(width) * std::size_t(height);
+    std::vector<std::uint32_t> dark(pixels * positions.size());
+    for (std::size_t s = positions.size(); s-- > 0;) {
+        const TileEye eye{width,
+                          height,
+                          target.eye.rayScale,
+                          target.eye.perspective,
+                          positions[s],
+                          glm::dvec2(ties_->right, ties_->down)};
+        counted_.clear();
+        for (std::uint32_t l = 0; l < taken.size(); ++l) {
+            if (!taken[l].empty()) counted_.push_back(lights_.light(taken[l], geometry, silhouettes, group, l, eye));
+        }
+        seen_.assign(1, see(silhouettes, target, eye, int(s)));
+        seen_[0].toRows(counter_.count(seen_[0], counted_).data(), dark.data() + s * pixels);
+    }
+    if (positions.size() == 1) {
+        target.masks.upload(group.first / LIGHTS_PER_GROUP, dark);
+    } else {
+        target.masks.set(group.first / LIGHTS_PER_GROUP, dark);
+    }
+}
+
+std::vector<std::uint32_t> TileMasks::readCounts(std::uint32_t l) {
+    const auto light = std::ranges::find(counted_, 1u << l, &TileLight::bit);
+    if (light == counted_.end()) return {};
+    SeenTiles& seen = seen_[0];
+    seen.lightAll();
+    std::vector<std::int32_t> rows(seen.pixelsOfPicture());
+    seen.toRows(counter_.countsOf(seen, *light).data(), rows.data());
+    std::vector<std::uint32_t> counts(rows.size());
+    std::ranges::transform(rows, counts.begin(), [](std::int32_t count) { return std::uint32_t(std::abs(count)); });
+    return counts;
+}
+
+}  // namespace umbrage

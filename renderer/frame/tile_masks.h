@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Masks of the lights that the tile counter counts: what is seen is read back, and bits go up again.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gpu/sample_ties.h"
+#include "shading/resolve.h"
+#include "shadow/tile_lights.h"
+
+namespace umbrage {
+
+class TileMasks {
+public:
+    struct Target {
+        const GBuffer& gbuffer;
+        Masks& masks;
+        Resolve& resolve;
+        const Eye& eye;
+    };
+    /// Takes what it can of a group's plans, per light, out of them, and counts it. Before anything else of the group
+    /// is counted, because it writes all bits of its masks.
+    void count(std::vector<std::vector<CountPlan>>& plans, const Geometry& geometry, const Silhouettes& silhouettes,
+               const LightGroup& group, const Target& target);
+
+    /// Layers over the first sample of each pixel, of what count() took of light `l`; rows from the top. Empty if it
+    /// took nothing.
+    std::vector<std::uint32_t> readCounts(std::uint32_t l);
+
+private:
+    SeenTiles see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample) const;
+
+    std::optional<gpu::SampleTies> ties_;  // on first use
+    TileLights lights_;
+    TileCounter counter_;
+    std::vector<SeenTiles> seen_;  // these two of the first sample
+    std::vector<TileLight> counted_;
+};
+
+}  // namespace umbrage

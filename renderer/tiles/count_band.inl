@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// See count_band.h. Included by one file for each instruction set, which says how it is called and gathers bits.
+// Nothing here may come from the standard library: the linker keeps one copy of what several files instantiate.
+
+#include <immintrin.h>
+
+namespace umbrage {
+namespace {
+
+typedef float Floats __attribute__((vector_size(64)));
+typedef std::int32_t Ints __attribute__((vector_size(64)));
+constexpr int kLanes = 16;
+constexpr int kTileVectors = kTilePixels / kLanes, kBlockVectors = kBlockTiles / kLanes;
+
+constexpr Floats kCount{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+constexpr Floats kColumn{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
+constexpr Floats kRow{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
+constexpr float kInfinity = __builtin_inff();
+
+inline Floats load(const float* p) {
+    Floats v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+
+inline Ints load(const std::int32_t* p) {
+    Ints v;
+    __builtin_memcpy(&v, p, sizeof v);
+    return v;
+}
+
+inline void store(std::int32_t* p, Ints v) {
+    __builtin_memcpy(p, &v, sizeof v);
+}
+
+/// One bit for each lane of a comparison.
+inline std::uint32_t bitsOf(Ints v) {
+#if defined(__AVX512DQ__)
+    __m512i all;
+    __builtin_memcpy(&all, &v, sizeof all);
+    return _mm512_movepi32_mask(all);
+#elif defined(__AVX2__)
+    __m256 halves[2];
+    __builtin_memcpy(halves, &v, sizeof halves);
+    return std::uint32_t(_mm256_movemask_ps(halves[0])) | std::uint32_t(_mm256_movemask_ps(halves[1])) << 8;
+#else
+    __m128 quarters[4];
+    __builtin_memcpy(quarters, &v, sizeof quarters);
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 4; ++i) bits |= std::uint32_t(_mm_movemask_ps(quarters[i])) << (4 * i);
+    return bits;
+#endif
+}
+
+inline float least(float a, float b) {
+    return a < b ? a : b;
+}
+
+inline float most(float a, float b) {
+    return a > b ? a : b;
+}
+
+/// A function over squares of pixels, in float.
+struct OverSquares {
+    float x, y;         // per pixel
+    float least, most;  // over a square, from its first pixel
+    float margin;
+
+    OverSquares(const TilePolygon& polygon, int i, float pixels)
+        : x(float(polygon.functions[i].x)), y(float(polygon.functions[i].y)), margin(polygon.margins[i]) {
+        const float across = x * (pixels - 1.0f), down = y * (pixels - 1.0f);
+        least = umbrage::least(across, 0.0f) + umbrage::least(down, 0.0f);
+        most = umbrage::most(across, 0.0f) + umbrage::most(down, 0.0f);
+    }
+};
+
+inline double valueAt(const PixelFunction& f, int column, int row) {
+    return f.x * column + f.y * row + f.c;
+}
+
+/// Squares that a polygon touches where it may be before something, and those that it covers wholly before everything.
+struct Touched {
+    std::uint32_t some, all;
+};
+
+/// @param first  value of each function at the first pixel of every square
+inline Touched touch(const Floats (&first)[kTileFunctions], const OverSquares* over, Floats farthest, Floats nearest) {
+    constexpr int d = kTileBorders;
+    Ints some = first[d] + (over[d].most + over[d].margin) > farthest;
+    Ints all = first[d] + (over[d].least - over[d].margin) > nearest;
+    for (int i = 0; i < kTileBorders; ++i) {
+        some &= first[i] + (over[i].most + over[i].margin) >= 0.0f;
+        all &= first[i] + (over[i].least - over[i].margin) > 0.0f;
+    }
+    const std::uint32_t whole = bitsOf(some & all);
+    return {bitsOf(some) & ~whole, whole};
+}
+
+/// Which pixels may be lit, and how deep they lie.
+inline void findActive(const Band& band) {
+    const BandScratch& s = band.scratch;
+    for (int block = 0; block < band.columns; ++block) {
+        float blockFarthest = kInfinity, blockNearest = -kInfinity;
+        for (int t = block * kBlockTiles; t < (block + 1) * kBlockTiles; ++t) {
+            std::uint64_t active = 0;
+            Floats farthest = Floats{} + kInfinity, nearest = Floats{} - kInfinity;
+            for (int v = 0; v < kTileVectors; ++v) {
+                const std::size_t at = std::size_t(t) * kTilePixels + std::size_t(v * kLanes);
+                const Ints lit =
+                    (load(reinterpret_cast<const std::int32_t*>(band.lit + at)) & std::int32_t(band.lightBit)) != 0;
+                const Floats depth = load(band.depths + at);
+                active |= std::uint64_t(bitsOf(lit)) << (v * kLanes);
+                farthest = lit & (depth < farthest) ? depth : farthest;
+                nearest = lit & (depth > nearest) ? depth : nearest;
+            }
+            float low = kInfinity, high = -kInfinity;
+            for (int i = 0; i < kLanes; ++i) {
+                low = least(low, farthest[i]);
+                high = most(high, nearest[i]);
+            }
+            s.active[t] = active;
+            s.tileFarthest[t] = low;
+            s.tileNearest[t] = high;
+            blockFarthest = least(blockFarthest, low);
+            blockNearest = most(blockNearest, high);
+        }
+        s.blockFarthest[block] = blockFarthest;
+        s.blockNearest[block] = blockNearest;
+    }
+}
+
+/// Which blocks of the row some polygons touch.
+inline void bin(const Band& band, std::size_t firstPolygon, std::size_t endPolygon) {
+    const BandScratch& s = band.scratch;
+    for (int block = 0; block < band.columns; ++block) s.listSizes[block] = 0;
+    for (std::size_t k = firstPolygon; k < endPolygon; ++k) {
+        const TilePolygon& polygon = band.polygons[k];
+        const OverSquares over[kTileFunctions]{
+            {polygon, 0, kBlockSize}, {polygon, 1, kBlockSize}, {polygon, 2, kBlockSize}, {polygon, 3, kBlockSize}};
+        for (int block = 0; block < band.columns; block += kLanes) {
+            Floats first[kTileFunctions];
+            for (int i = 0; i < kTileFunctions; ++i) {
+                const auto start = float(valueAt(polygon.functions[i], block * kBlockSize, band.row * kBlockSize));
+                first[i] = start + over[i].x * kBlockSize * kCount;
+            }
+            Touched touched = touch(first, over, load(s.blockFarthest + block), load(s.blockNearest + block));
+            for (; touched.some != 0; touched.some &= touched.some - 1) {
+                const int at = block + __builtin_ctz(touched.some);
+                s.lists[std::size_t(at) * BandScratch::kPolygonsAtOnce + s.listSizes[at]++] = std::uint32_t(k);
+            }
+            for (; touched.all != 0; touched.all &= touched.all - 1) {
+                std::int32_t* counts = s.tileCounts + (block + __builtin_ctz(touched.all)) * kBlockTiles;
+                for (int v = 0; v < kBlockVectors; ++v)
+                    store(counts + v * kLanes, load(counts + v * kLanes) + polygon.crossing);
+                ++band.work->pixels;
+            }
+        }
+    }
+}
+
+/// A polygon within a tile, pixel by pixel.
+inline void countPixels(const TilePolygon& polygon, const Floats (&pattern)[kTileFunctions], int column, int row,
+                        const float* depths, std::int32_t* counts) {
+    Floats value[kTileFunctions];
+    float down[kTileFunctions];
+    for (int i = 0; i < kTileFunctions; ++i) {
+        value[i] = pattern[i] + float(valueAt(polygon.functions[i], column, row));
+        down[i] = 2.0f * float(polygon.functions[i].y);
+    }
+    for (int v = 0; v < kTileVectors; ++v) {
+        Ints changed = value[kTileBorders] + float(v) * down[kTileBorders] > load(depths + v * kLanes);
+        for (int i = 0; i < kTileBorders; ++i) changed &= value[i] + float(v) * down[i] >= polygon.thresholds[i];
+        store(counts + v * kLanes, load(counts + v * kLanes) + (changed & polygon.crossing));
+    }
+}
+
+inline void countBlock(const Band& band, int block) {
+    const BandScratch& s = band.scratch;
+    const std::uint32_t* list = s.lists + std::size_t(block) * BandScratch::kPolygonsAtOnce;
+    const int left = block * kBlockSize, top = band.row * kBlockSize;
+    for (std::uint32_t k = 0; k < s.listSizes[block]; ++k) {
+        const TilePolygon& polygon = band.polygons[list[k]];
+        const OverSquares over[kTileFunctions]{
+            {polygon, 0, kTileSize}, {polygon, 1, kTileSize}, {polygon, 2, kTileSize}, {polygon, 3, kTileSize}};
+        Floats pattern[kTileFunctions], tiles[kTileFunctions];
+        for (int i = 0; i < kTileFunctions; ++i) {
+            pattern[i] = over[i].x * kColumn + over[i].y * kRow;
+            tiles[i] = float(valueAt(polygon.functions[i], left, top)) + pattern[i] * kTileSize;
+        }
+        std::uint64_t some = 0;
+        for (int v = 0; v < kBlockVectors; ++v) {
+            const int first = block * kBlockTiles + v * kLanes;
+            Floats here[kTileFunctions];
+            for (int i = 0; i < kTileFunctions; ++i) here[i] = tiles[i] + over[i].y * float(2 * v * kTileSize);
+            const Touched touched = touch(here, over, load(s.tileFarthest + first), load(s.tileNearest + first));
+            some |= std::uint64_t(touched.some) << (v * kLanes);
+            if (touched.all == 0) continue;
+            for (int t = 0; t < kLanes; ++t) {
+                if ((touched.all >> t & 1u) != 0) s.tileCounts[first + t] += polygon.crossing;
+            }
+            band.work->pixels += std::uint64_t(__builtin_popcount(touched.all));
+        }
+        band.work->tiles += std::uint64_t(__builtin_popcountll(some));
+        for (; some != 0; some &= some - 1) {
+            const int tile = __builtin_ctzll(some);
+            const std::size_t at = std::size_t(block * kBlockTiles + tile) * kTilePixels;
+            countPixels(polygon, pattern, left + tile % 8 * kTileSize, top + tile / 8 * kTileSize, band.depths + at,
+                        s.counts + at);
+        }
+    }
+}
+
+/// Where counts are not zero.
+inline void mark(const Band& band) {
+    const BandScratch& s = band.scratch;
+    for (int t = 0; t < band.columns * kBlockTiles; ++t) {
+        if (s.active[t] == 0 && band.counts == nullptr) continue;
+        for (int v = 0; v < kTileVectors; ++v) {
+            const std::size_t at = std::size_t(t) * kTilePixels + std::size_t(v * kLanes);
+            const Ints count = load(s.counts + at) + s.tileCounts[t];
+            auto* dark = reinterpret_cast<std::int32_t*>(band.dark + at);
+            store(dark, load(dark) | ((count != 0) & std::int32_t(band.lightBit)));
+            if (band.counts != nullptr) store(band.counts + at, count);
+        }
+    }
+}
+
+inline void countBandOf(const Band& band) {
+    const BandScratch& s = band.scratch;
+    findActive(band);
+    __builtin_memset(s.counts, 0, std::size_t(band.columns) * kBlockPixels * sizeof(std::int32_t));
+    for (int t = 0; t < band.columns * kBlockTiles; ++t) s.tileCounts[t] = band.start;
+    for (std::size_t k = 0; k < band.polygonCount; k += BandScratch::kPolygonsAtOnce) {
+        const std::size_t end =
+            k + BandScratch::kPolygonsAtOnce < band.polygonCount ? k + BandScratch::kPolygonsAtOnce : band.polygonCount;
+        bin(band, k, end);
+        for (int block = 0; block < band.columns; ++block) countBlock(band, block);
+    }
+    mark(band);
+}
+
+}  // namespace
+}  // namespace umbrage

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tiles/tile_counter.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace umbrage {
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// Memory of BandScratch.
+class Scratch {
+public:
+    explicit Scratch(int columns)
+        : tileCount_(std::size_t(columns) * kBlockTiles),
+          // Blocks are looked at sixteen at a time: those beyond the last see nothing.
+          blockCount_((std::size_t(columns) + 15) / 16 * 16),
+          counts_(tileCount_ * kTilePixels),
+          tileCounts_(tileCount_),
+          depths_(2 * tileCount_ + 2 * blockCount_, kInfinity),
+          active_(tileCount_),
+          lists_(std::size_t(columns) * BandScratch::kPolygonsAtOnce),
+          listSizes_(std::size_t(columns)) {}
+
+    BandScratch get() {
+        float* depths = depths_.data();
+        return {counts_.data(),      tileCounts_.data(),      depths,
+                depths + tileCount_, depths + 2 * tileCount_, depths + 2 * tileCount_ + blockCount_,
+                active_.data(),      lists_.data(),           listSizes_.data()};
+    }
+    TileWork work;
+
+private:
+    std::size_t tileCount_, blockCount_;
+    std::vector<std::int32_t> counts_, tileCounts_;
+    std::vector<float> depths_;
+    std::vector<std::uint64_t> active_;
+    std::vector<std::uint32_t> lists_, listSizes_;
+};
+
+}  // namespace
+
+CountBand* countBandHere() {
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512bw")) {
+        return countBandAvx512;
+    }
+    return __builtin_cpu_supports("avx2") ? countBandAvx2 : countBandBaseline;
+}
+
+const std::vector<std::uint32_t>& TileCounter::count(const SeenTiles& seen, std::span<const TileLight> lights) {
+    countAll(seen, lights, nullptr);
+    return dark_;
+}
+
+std::vector<std::int32_t> TileCounter::countsOf(const SeenTiles& seen, const TileLight& light) {
+    std::vector<std::int32_t> counts(seen.pixelCount());
+    countAll(seen, {&light, 1}, counts.data());
+    return counts;
+}
+
+void TileCounter::countAll(const SeenTiles& seen, std::span<const TileLight> lights, std::int32_t* counts) {
+    dark_.assign(seen.pixelCount(), 0);
+    work_ = {};
+    tbb::enumerable_thread_specific<Scratch> scratches([&] { return Scratch(seen.columns()); });
+    tbb::parallel_for(0, seen.rows(), [&](int row) {
+        Scratch& scratch = scratches.local();
+        const std::size_t first = std::size_t(row) * std::size_t(seen.columns()) * kBlockPixels;
+        for (const TileLight& light : lights) {
+            countBand_({light.polygons.data(), light.polygons.size(), light.start, light.bit, seen.columns(), row,
+                        seen.depths() + first, seen.lit() + first, dark_.data() + first,
+                        counts ? counts + first : nullptr, scratch.get(), &scratch.work});
+        }
+    });
+    for (const Scratch& scratch : scratches) {
+        work_.tiles += scratch.work.tiles;
+        work_.pixels += scratch.work.pixels;
+    }
+    work_.pixels += work_.tiles * kTilePixels;
+}
+
+}  // namespace umbrage

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tiles/tile_polygon.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace umbrage {
+namespace {
+
+using glm::cross;
+using glm::dot;
+using glm::dvec3;
+using glm::dvec4;
+
+constexpr double kFloatRounding = 0x1p-20;  // of a sum of three terms and the offsets within a block, generously
+
+/// What a point of homogeneous view space is to lines on the picture.
+dvec3 onPicture(const TileEye& eye, const dvec4& p) {
+    return {p.x, p.y, eye.perspective ? p.z : -p.w};
+}
+
+/// n . r, r being the view ray (x, y, -1) of a pixel.
+PixelFunction alongRays(const TileEye& eye, const dvec3& n) {
+    const double x = n.x * eye.rayScale.x, y = n.y * eye.rayScale.y;
+    return {x * (2.0 / eye.width), y * (-2.0 / eye.height),
+            x * (2.0 * eye.sample.x / eye.width - 1.0) + y * (1.0 - 2.0 * eye.sample.y / eye.height) - n.z};
+}
+
+PixelFunction times(const PixelFunction& f, double factor) {
+    return {f.x * factor, f.y * factor, f.c * factor};
+}
+
+bool zeroIsInside(const TileEye& eye, const PixelFunction& f) {
+    for (const double k : {f.x * eye.ties.x, f.y * eye.ties.y, f.c}) {
+        if (k != 0.0) return k > 0.0;
+    }
+    return false;
+}
+
+/// To slopes between 1/2 and 1, by a power of two, which rounds nothing: floats hold it then.
+PixelFunction scaled(const PixelFunction& f) {
+    const double slope = std::max(std::abs(f.x), std::abs(f.y));
+    if (slope == 0.0) return f;
+    int exponent = 0;
+    std::frexp(slope, &exponent);
+    return times(f, std::ldexp(1.0, -exponent));
+}
+
+float marginOf(const TileEye& eye, const PixelFunction& f) {
+    return float(kFloatRounding * (std::abs(f.x) * eye.width + std::abs(f.y) * eye.height + std::abs(f.c)));
+}
+
+/// Depth of the plane with normal n through p. @param k  n . p, for a perspective eye
+PixelFunction depthOf(const TileEye& eye, const dvec3& n, const dvec3& p, double k) {
+    if (eye.perspective) return times(alongRays(eye, n), 1.0 / k);
+    PixelFunction depth = alongRays(eye, {-n.x / n.z, -n.y / n.z, 0.0});
+    depth.c += dot(n, p) / n.z;
+    return depth;
+}
+
+bool missesPicture(const TileEye& eye, const PixelFunction& f) {
+    return std::max(f.x, 0.0) * eye.width + std::max(f.y, 0.0) * eye.height + f.c < 0.0;
+}
+
+/// @param inward  1 or -1: sign of the borders inside
+std::optional<TilePolygon> polygonOf(const TileEye& eye, const std::array<dvec3, kTileBorders>& borders, double inward,
+                                     const PixelFunction& depth, int crossing) {
+    TilePolygon polygon;
+    polygon.crossing = crossing;
+    for (std::size_t i = 0; i < kTileBorders; ++i) {
+        const PixelFunction f = scaled(times(alongRays(eye, borders[i]), inward));
+        if (missesPicture(eye, f)) return std::nullopt;
+        polygon.functions[i] = f;
+        polygon.margins[i] = marginOf(eye, f);
+        polygon.thresholds[i] = zeroIsInside(eye, f) ? 0.0f : std::numeric_limits<float>::min();
+    }
+    polygon.functions[kTileBorders] = depth;
+    polygon.margins[kTileBorders] = marginOf(eye, depth);
+    return polygon;
+}
+
+/// By 1/256 pixel along its slope, because the rasteriser that found what is seen snapped corners that far, and by what
+/// floats round.
+PixelFunction pushedBack(const TileEye& eye, PixelFunction depth) {
+    depth.c -= 0x1p-8 * std::max(std::abs(depth.x), std::abs(depth.y));
+    if (eye.perspective) return times(depth, 1.0 - 0x1p-21);
+    depth.c -= 0x1p-22 * std::abs(depth.c);
+    return depth;
+}
+
+}  // namespace
+
+std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const dvec4& light, int times) {
+    const dvec3 l(light);
+    const dvec3 n = light.w != 0.0 ? cross(a - l, b - l) : cross(b - a, l);
+    const dvec3 pa = onPicture(eye, dvec4(a, 1.0)), pb = onPicture(eye, dvec4(b, 1.0)), pl = onPicture(eye, light);
+    const double side = eye.perspective ? dot(cross(a, b), l) : -n.z;  // positive: the eye is within
+    if (side == 0.0) return std::nullopt;
+    // Seen from without, view rays enter the volume there.
+    const bool enters = (side < 0.0) == (times > 0);
+    return polygonOf(eye, {cross(pa, pb), cross(pl, pb), cross(pa, pl)}, side < 0.0 ? 1.0 : -1.0,
+                     depthOf(eye, n, a, side), enters ? std::abs(times) : -std::abs(times));
+}
+
+std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<dvec3, 3>& corners, int light) {
+    const auto& [a, b, c] = corners;
+    const dvec3 pa = onPicture(eye, dvec4(a, 1.0)), pb = onPicture(eye, dvec4(b, 1.0)),
+                pc = onPicture(eye, dvec4(c, 1.0));
+    const dvec3 n = cross(b - a, c - a);
+    const double away = eye.perspective ? dot(n, a) : -n.z;  // positive: the eye is where they run clockwise
+    if (away == 0.0) return std::nullopt;
+    const bool enters = (away < 0.0) == (light > 0);
+    return polygonOf(eye, {cross(pa, pb), cross(pb, pc), cross(pc, pa)}, away > 0.0 ? 1.0 : -1.0,
+                     pushedBack(eye, depthOf(eye, n, a, away)), enters ? 1 : -1);
+}
+
+}  // namespace umbrage

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sides and light caps of shadow volumes on the picture's grid, in double. Host code, no GL.
+//
+// Neighbours share the borders between them bit by bit: every border is a determinant of the same vectors, whose sign
+// turns exactly where they change places. So the centre of a pixel is on one side of it for both, and crossings of a
+// view ray add up to nothing (docs/rules.md, G1) without any tolerance.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
+
+namespace umbrage {
+
+/// A picture's grid and the eye behind it. View space: right, up, towards the viewer.
+struct TileEye {
+    int width = 0, height = 0;
+    glm::dvec2 rayScale{1.0};  // half extent of the picture at distance 1 (perspective) or in metres
+    bool perspective = true;
+    glm::dvec2 sample{0.5};  // where in a pixel it is looked at, from its upper left corner
+    glm::dvec2 ties{1.0};    // 1 or -1: to which side samples on a border are moved, along the row and much less along
+                           // the column; as whatever found what is seen does it
+};
+
+/// A linear function of the pixel (column, row), at its sample.
+struct PixelFunction {
+    double x = 0.0, y = 0.0, c = 0.0;
+};
+
+/// One function more than borders: the last is the depth, which is greater where it is nearer: 1/metre along the view
+/// axis, or for an orthographic eye metres towards the viewer.
+inline constexpr int kTileBorders = 3, kTileFunctions = kTileBorders + 1;
+
+/// Covers pixels where every border is at least its threshold, which is 0, or the least number above for those that
+/// leave their own zero to the neighbour. A side has no far border: beyond its
+/// horizon it is behind everything.
+struct TilePolygon {
+    PixelFunction functions[kTileFunctions];
+    float margins[kTileFunctions]{};  // what rounding may do to each when it is evaluated in float
+    float thresholds[kTileBorders]{};
+    std::int32_t crossing = 0;  // what the count of what lies behind it changes by
+};
+
+/// The infinite quad behind an edge that the surface facing the light runs along from a to b.
+/// @param a, b  view space
+/// @param light  view space: a position, or the direction towards it (w = 0)
+/// @param times  multiplicity; negative: it runs from b to a
+/// @return  none where nothing of it is in the picture, or it is seen exactly edge-on
+std::optional<TilePolygon> tileSide(const TileEye& eye, const glm::dvec3& a, const glm::dvec3& b,
+                                    const glm::dvec4& light, int times);
+
+/// A light cap that is not in the depth buffer wherever it is the nearest: at its own depth, a little pushed back, so
+/// that what is seen of itself stays before it (T1).
+/// @param corners  view space
+/// @param light  +1 if the light is on the side from which they run counterclockwise, else -1
+std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<glm::dvec3, 3>& corners, int light);
+
+}  // namespace umbrage
