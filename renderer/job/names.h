@@ -60,7 +60,8 @@ inline constexpr std::array kCounts = {
     CountName{"z-pass-plus", "from the near plane, where the light's view of it counts what it cuts", Exact::Never},
     CountName{"split-plane", "of each part of the casters from the eye before a plane, from infinity behind it",
               Exact::Always},
-    CountName{"tiles", "from the eye, tile by tile on the processor; what needs caps by z-pass or z-fail", Exact::Always},
+    CountName{"tiles", "from the eye, tile by tile on the processor; what needs caps by z-pass or z-fail",
+              Exact::Always},
     CountName{"invert", "from the eye, only whether counts are odd", Exact::UnlessItSaysSo},
     CountName{"z-fail-finite", "from infinity, with volumes that end", Exact::UnlessItSaysSo},
 };
