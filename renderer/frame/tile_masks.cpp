@@ -23,36 +23,29 @@ SeenTiles TileMasks::see(const Silhouettes& silhouettes, const Target& target, c
     return seen;
 }
 
-void TileMasks::count(std::vector<std::vector<CountPlan>>& plans, const Geometry& geometry,
-                      const Silhouettes& silhouettes, const LightGroup& group, const Target& target) {
-    std::vector<std::vector<CountPlan>> taken(plans.size());
-    for (std::size_t l = 0; l < plans.size(); ++l) {
-        const auto ours =
-            std::ranges::partition(plans[l], [](const CountPlan& plan) { return !TileLights::takes(plan); });
-        taken[l].assign(std::make_move_iterator(ours.begin()), std::make_move_iterator(ours.end()));
-        plans[l].erase(ours.begin(), ours.end());
-    }
-    seen_.clear();
-    counted_.clear();
-    if (std::ranges::all_of(taken, [](const auto& of) { return of.empty(); })) return;
+void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geometry& geometry,
+                      const Silhouettes& silhouettes, const LightGroup& group, const Target& target, bool everyPixel) {
     if (!ties_) ties_ = gpu::findSampleTies();
     lights_.begin(geometry, silhouettes, group);
     const int width = target.gbuffer.width(), height = target.gbuffer.height();
     const std::vector<glm::vec2> positions = target.gbuffer.samplePositions();
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
     std::vector<std::uint32_t> dark(pixels * positions.size());
+    // The first sample last: readCounts() is about it.
     for (std::size_t s = positions.size(); s-- > 0;) {
         const TileEye eye{width,
                           height,
                           target.eye.rayScale,
                           target.eye.perspective,
+                          target.eye.znear,
                           positions[s],
                           glm::dvec2(ties_->right, ties_->down)};
-        counted_.clear();
-        for (std::uint32_t l = 0; l < taken.size(); ++l) {
-            if (!taken[l].empty()) counted_.push_back(lights_.light(taken[l], geometry, silhouettes, group, l, eye));
-        }
+        const TileScene scene{geometry, silhouettes, group, eye};
         seen_.assign(1, see(silhouettes, target, eye, int(s)));
+        if (everyPixel) seen_[0].lightAll();
+        lights_.findExposed(scene, seen_[0]);
+        counted_.clear();
+        for (std::uint32_t l = 0; l < plans.size(); ++l) counted_.push_back(lights_.light(plans[l], scene, l));
         seen_[0].toRows(counter_.count(seen_[0], counted_).data(), dark.data() + s * pixels);
     }
     if (positions.size() == 1) {
@@ -63,12 +56,9 @@ void TileMasks::count(std::vector<std::vector<CountPlan>>& plans, const Geometry
 }
 
 std::vector<std::uint32_t> TileMasks::readCounts(std::uint32_t l) {
-    const auto light = std::ranges::find(counted_, 1u << l, &TileLight::bit);
-    if (light == counted_.end()) return {};
     SeenTiles& seen = seen_[0];
-    seen.lightAll();
     std::vector<std::int32_t> rows(seen.pixelsOfPicture());
-    seen.toRows(counter_.countsOf(seen, *light).data(), rows.data());
+    seen.toRows(counter_.countsOf(seen, counted_[l]).data(), rows.data());
     std::vector<std::uint32_t> counts(rows.size());
     std::ranges::transform(rows, counts.begin(), [](std::int32_t count) { return std::uint32_t(std::abs(count)); });
     return counts;

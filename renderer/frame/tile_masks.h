@@ -19,10 +19,11 @@ public:
         Resolve& resolve;
         const Eye& eye;
     };
-    /// Takes what it can of a group's plans, per light, out of them, and counts it. Before anything else of the group
-    /// is counted, because it writes all bits of its masks.
-    void count(std::vector<std::vector<CountPlan>>& plans, const Geometry& geometry, const Silhouettes& silhouettes,
-               const LightGroup& group, const Target& target);
+    /// Counts a group of lights and writes its masks.
+    /// @param plans  per light
+    /// @param everyPixel  for readCounts(): also those that the lights cannot light
+    void count(std::span<const std::vector<CountPlan>> plans, const Geometry& geometry, const Silhouettes& silhouettes,
+               const LightGroup& group, const Target& target, bool everyPixel);
 
     /// Layers over the first sample of each pixel, of what count() took of light `l`; rows from the top. Empty if it
     /// took nothing.

@@ -13,6 +13,7 @@
 #include "gpu/program.h"
 #include "shadow/fault.h"
 #include "shadow/geometry.h"
+#include "shadow/host_triangles.h"
 #include "shadow/split_parts.h"
 
 namespace umbrage {
@@ -40,6 +41,8 @@ struct Silhouettes {
     std::vector<gpu::CasterState> hostCasters;
     std::uint32_t totalLights = 0, facingStride = 0;
     std::vector<std::array<glm::vec4, 6>> extents;  // faces of what each light of the group shines on, in view space
+
+    HostTriangles hostTriangles;  // up to date where something on the host asks for it
 
     SplitParts* parts = nullptr;  // where counts are made by parts: not owned
 
@@ -81,6 +84,8 @@ public:
     virtual std::string_view name() const = 0;
     /// Whether a sweep fills Silhouettes::quads; else quads are found while they are drawn.
     virtual bool fillsLists() const { return true; }
+    /// Whether it reads Silhouettes::hostTriangles.
+    virtual bool onHost() const { return false; }
 
     /// One sweep over the triangles and edges. `casters` says which are counted by z-fail; the sweep adds hazards to
     /// it, and fills everything else. Lists that outgrow `capacity` are cut, but their counts are right.

@@ -57,6 +57,7 @@ struct Nearness {
 class CpuSilhouettes : public SilhouetteTechnique {
 public:
     std::string_view name() const override { return "cpu"; }
+    bool onHost() const override { return true; }
     SideShaders sideShaders() const override { return ListedSides::shaders(); }
     void drawSides(const SideList& sides, const gpu::Program&) override { sides_.draw(sides); }
 
@@ -94,7 +95,6 @@ private:
                      std::uint32_t flags, const glm::vec3& a, const glm::vec3& b) const;
     void upload(const Sweep& sweep);
 
-    HostTriangles triangles_;
     std::vector<Stretch> triangleStretches_, edgeStretches_;
     std::vector<Nearness> nearness_;  // per instance
     std::vector<gpu::uvec2> facing_;
@@ -119,7 +119,6 @@ std::vector<Stretch> stretches(const Geometry& geometry, std::uint32_t gpu::Inst
 void CpuSilhouettes::sweep(const Geometry& geometry, const LightGroup& group, const SweepOptions& options,
                            Silhouettes& out) {
     const Sweep sweep{geometry, group, options, out};
-    triangles_.update(geometry);
     if (triangleStretches_.empty()) {
         triangleStretches_ = stretches(geometry, &gpu::InstanceData::triangleCount);
         edgeStretches_ = stretches(geometry, &gpu::InstanceData::edgeCount);
@@ -163,7 +162,7 @@ Nearness CpuSilhouettes::nearnessOf(const Sweep& sweep, std::uint32_t i) const {
     // Of sizes and distances. The latter: twice the margins of the wedge in host_predicates.
     constexpr double kRounding = 1e-4, kWedge = 0x1p-5;
     Nearness near;
-    const Geometry::Bounds& box = triangles_.box(i);
+    const Geometry::Bounds& box = sweep.out.hostTriangles.box(i);
     const glm::dvec4 eye(sweep.geometry.instances()[i].eyeInModel);
     const auto distance = [&](const glm::dvec4& p) {
         return p.w == 0.0 ? 0.0 : glm::distance(0.5 * (box.low + box.high), glm::dvec3(p));
@@ -196,13 +195,13 @@ void CpuSilhouettes::faceTriangles(const Sweep& sweep, const Stretch& at, Summar
     const gpu::InstanceData& instance = geometry.instances()[at.instance];
     const gpu::CasterState& caster = out.hostCasters[at.instance];
     const std::uint32_t placed = instance.placedTriangleBase + at.first;
-    triangles_.planes(instance, at.instance, at.first, at.count, &planes_[placed]);
+    sweep.out.hostTriangles.planes(instance, at.instance, at.first, at.count, &planes_[placed]);
     std::array<std::uint32_t, 8 * CHUNK_SIZE> front{}, back{};
     const std::uint32_t skipped = caster.outOfReach | caster.outOfView;
     for (std::uint32_t l = 0; l < group.count; ++l) {
         if ((skipped >> l & 1u) != 0) continue;
-        triangles_.face(at.instance, at.first, at.count, sweep.light(at.instance, l), 1u << l, front.data(),
-                        back.data());
+        out.hostTriangles.face(at.instance, at.first, at.count, sweep.light(at.instance, l), 1u << l, front.data(),
+                               back.data());
     }
     for (std::uint32_t k = 0; k < at.count; ++k) facing_[placed + k] = {front[k], back[k]};
     const Nearness& near = nearness_[at.instance];
@@ -226,8 +225,8 @@ void CpuSilhouettes::lookClosely(const Sweep& sweep, const Stretch& at, std::uin
     for (std::uint32_t t = at.first; t < at.first + at.count; ++t) {
         const std::uint32_t placed = instance.placedTriangleBase + t;
         const std::uint32_t flags = geometry.triangleFlags()[instance.triangleBase + t];
-        const TriangleCorners corners = triangles_.corners(geometry, at.instance, t);
-        const glm::vec3 n = triangles_.normal(at.instance, t);
+        const TriangleCorners corners = sweep.out.hostTriangles.corners(geometry, at.instance, t);
+        const glm::vec3 n = sweep.out.hostTriangles.normal(at.instance, t);
         gpu::uvec2& bits = facing_[placed];
         float side = sideOf(n, corners[0], light);
         if (inBoxOf(corners, light)) {
@@ -316,8 +315,8 @@ void CpuSilhouettes::append(const Sweep& sweep, std::uint32_t i, std::uint32_t k
     const gpu::InstanceData& instance = sweep.geometry.instances()[i];
     const gpu::CasterState& caster = sweep.out.hostCasters[i];
     const gpu::Edge& edge = sweep.geometry.edges()[instance.edgeBase + k];
-    const glm::vec3 a = triangles_.position(instance.vertexBase + edge.a);
-    const glm::vec3 b = triangles_.position(instance.vertexBase + edge.b);
+    const glm::vec3 a = sweep.out.hostTriangles.position(instance.vertexBase + edge.a);
+    const glm::vec3 b = sweep.out.hostTriangles.position(instance.vertexBase + edge.b);
     for (; silhouette != 0; silhouette &= silhouette - 1) {
         const auto l = std::uint32_t(std::countr_zero(silhouette));
         const bool negative = ((twice.y | once.y) >> l & 1u) != 0, isTwice = ((twice.x | twice.y) >> l & 1u) != 0;
