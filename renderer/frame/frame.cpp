@@ -152,7 +152,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
     silhouettes.casters.clearToZero();
     silhouettes.hostCasters.assign(geometry.instanceCount(), {});
-    if (!tiles) {  // which looks at single triangles instead
+    if (settings.shadows && !tiles) {  // which looks at single triangles instead
         gbuffer.depthOnly.bind();
         surfaces.findExposed(geometry, materials, silhouettes.casters);
         silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
@@ -242,8 +242,10 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
                 parts.insert(parts.end(), casterParts->chosen().begin(), casterParts->chosen().end());
             }
         }
-        findSilhouettes(*technique, geometry, group, byFail,
-                        {halve, outputs.figures, tiles ? 0u : counts.withEyeConstant(group)}, silhouettes);
+        findSilhouettes(
+            *technique, geometry, group, byFail,
+            {settings.shadows || outputs.figures, halve, outputs.figures, tiles ? 0u : counts.withEyeConstant(group)},
+            silhouettes);
         if (!settings.shadows || group.count == 0) continue;
         // The tile counter's own counts have no bound.
         const std::vector<std::uint32_t> layers = tiles

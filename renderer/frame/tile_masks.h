@@ -30,12 +30,15 @@ public:
     std::vector<std::uint32_t> readCounts(std::uint32_t l);
 
 private:
-    SeenTiles see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample) const;
+    void see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample);
 
     std::optional<gpu::SampleTies> ties_;  // on first use
     TileLights lights_;
     TileCounter counter_;
-    std::vector<SeenTiles> seen_;  // these two of the first sample
+    // Kept from frame to frame: fresh memory costs more than what is done with it.
+    SeenSample read_;
+    std::vector<std::uint32_t> dark_;
+    std::optional<SeenTiles> seen_;  // these two of the first sample
     std::vector<TileLight> counted_;
 };
 

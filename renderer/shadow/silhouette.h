@@ -56,6 +56,7 @@ inline std::uint32_t endOfVolume(const gpu::CasterState& caster, std::uint32_t l
 }
 
 struct SweepOptions {
+    bool edges = true;            // off: only facing bits and planes, for frames without shadows
     bool halve = true;            // LIST_HALVED gets one quad for two crossings, else both
     bool figures = false;         // also count lit triangles and silhouette edges
     std::uint32_t hazards = ~0u;  // bits of lights: for others nothing depends on an eye constant (T4)

@@ -142,6 +142,7 @@ void CpuSilhouettes::sweep(const Geometry& geometry, const LightGroup& group, co
            [&](std::size_t k) { faceTriangles(sweep, triangleStretches_[k], summaries.local()); });
     forAll(edgeStretches_.size(), [&](std::size_t k) {
         found_[k].clear();
+        if (!options.edges) return;
         findEdges(sweep, edgeStretches_[k], summaries.local(), found_[k]);
     });
     for (const Summaries& some : summaries) {

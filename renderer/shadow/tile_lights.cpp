@@ -26,20 +26,18 @@ void takeAll(tbb::enumerable_thread_specific<std::vector<T>>& made, std::vector<
 /// An instance's model space, seen from the eye.
 class InView {
 public:
-    InView(const TileScene& scene, std::uint32_t i)
-        : triangles_(scene.silhouettes.hostTriangles), instance_(scene.geometry.instances()[i]) {
-        for (int r = 0; r < 3; ++r) rows_[r] = glm::dvec4(instance_.viewFromModel[r]);
+    explicit InView(const gpu::InstanceData& instance) : mirrored_((instance.flags & INSTANCE_MIRRORED) != 0) {
+        for (std::size_t r = 0; r < 3; ++r) rows_[r] = glm::dvec4(instance.viewFromModel[r]);
     }
     glm::dvec4 of(const glm::dvec4& p) const {
         return {glm::dot(rows_[0], p), glm::dot(rows_[1], p), glm::dot(rows_[2], p), p.w};
     }
     glm::dvec3 of(const glm::vec3& p) const { return glm::dvec3(of(glm::dvec4(p, 1.0))); }
-    bool mirrored() const { return (instance_.flags & INSTANCE_MIRRORED) != 0; }
+    bool mirrored() const { return mirrored_; }
 
 private:
-    const HostTriangles& triangles_;
-    const gpu::InstanceData& instance_;
     std::array<glm::dvec4, 3> rows_;
+    bool mirrored_;
 };
 
 std::optional<TilePolygon> sideOf(std::uint32_t entry, int crossings, std::uint32_t light, const TileScene& scene) {
@@ -48,7 +46,7 @@ std::optional<TilePolygon> sideOf(std::uint32_t entry, int crossings, std::uint3
     const std::uint32_t i = geometry.edgeChunks()[placed >> CHUNK_SHIFT];
     const gpu::InstanceData& instance = geometry.instances()[i];
     const gpu::Edge& edge = geometry.edges()[instance.edgeBase + placed - instance.placedEdgeBase];
-    const InView view(scene, i);
+    const InView view(instance);
     const bool reversed = ((entry & 1u) != 0) != view.mirrored();
     const glm::vec4 place = silhouettes.hostLightsInModel[std::size_t(i) * silhouettes.totalLights + light];
     const glm::vec3 a = silhouettes.hostTriangles.position(instance.vertexBase + edge.a);
@@ -88,10 +86,10 @@ void TileLights::begin(const Geometry& geometry, const Silhouettes& silhouettes,
     readFirst(silhouettes.facing, silhouettes.facingBase(group), geometry.placedTriangleCount(), facing_);
 }
 
-void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen) {
+void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter) {
     const auto& [geometry, silhouettes, group, eye] = scene;
     const HostTriangles& triangles = silhouettes.hostTriangles;
-    tbb::enumerable_thread_specific<std::vector<Exposed>> made;
+    tbb::enumerable_thread_specific<Exposed> made;
     tbb::parallel_for(std::uint32_t(0), geometry.triangleChunkCount(), [&](std::uint32_t chunk) {
         const std::uint32_t i = geometry.triangleChunks()[chunk];
         const gpu::InstanceData& instance = geometry.instances()[i];
@@ -100,7 +98,7 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen) {
         std::array<std::uint32_t, CHUNK_SIZE> front{}, back{};
         triangles.face(i, first, count, instance.eyeInModel, 1u, front.data(), back.data());
         const bool insideOut = (instance.flags & INSTANCE_INSIDE_OUT) != 0;
-        const InView view(scene, i);
+        const InView view(instance);
         for (std::uint32_t k = 0; k < count; ++k) {
             const std::uint32_t placed = chunk * CHUNK_SIZE + k;
             const std::uint32_t flags = geometry.triangleFlags()[instance.triangleBase + first + k];
@@ -118,12 +116,20 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen) {
             const int eyeFront = (side > 0.0f) != view.mirrored() ? 1 : -1;
             if (const auto cap = tileCap(eye, inView, view.mirrored() ? -1 : 1, eyeFront,
                                          anywhere ? CapMissing::Anywhere : CapMissing::BeforeTheNear)) {
-                made.local().push_back({placed, *cap});
+                made.local().triangles.push_back(placed);
+                made.local().caps.push_back(*cap);
             }
         }
     });
-    exposed_.clear();
-    takeAll(made, exposed_);
+    exposed_ = {};
+    for (Exposed& some : made) {
+        const std::vector<std::uint8_t> touching = counter.touching(seen, some.caps);
+        for (std::size_t k = 0; k < touching.size(); ++k) {
+            if (touching[k] == 0) continue;
+            exposed_.triangles.push_back(some.triangles[k]);
+            exposed_.caps.push_back(some.caps[k]);
+        }
+    }
 }
 
 std::span<const std::uint32_t> TileLights::entriesOf(const TileScene& scene, std::uint32_t l, std::uint32_t list,
@@ -154,10 +160,11 @@ TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& s
         }
     }
     takeAll(made, light.polygons);
-    for (const Exposed& exposed : exposed_) {
-        const int facing = int(facing_[exposed.placed].x >> l & 1u) - int(facing_[exposed.placed].y >> l & 1u);
+    for (std::size_t k = 0; k < exposed_.caps.size(); ++k) {
+        const glm::uvec2 sides = facing_[exposed_.triangles[k]];
+        const int facing = int(sides.x >> l & 1u) - int(sides.y >> l & 1u);
         if (facing == 0) continue;
-        light.polygons.push_back(exposed.cap);
+        light.polygons.push_back(exposed_.caps[k]);
         light.polygons.back().crossing *= facing;
     }
     return light;

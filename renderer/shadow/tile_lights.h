@@ -31,22 +31,22 @@ public:
 
     /// Finds the casting triangles that may be nearer than what is seen: culled, with holes, or before the near plane.
     /// @param seen  at the eye's sample
-    void findExposed(const TileScene& scene, const SeenTiles& seen);
+    void findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter);
 
     /// @param plans  of light `l` of the group; their sides
     TileLight light(std::span<const CountPlan> plans, const TileScene& scene, std::uint32_t l) const;
 
 private:
     struct Exposed {
-        std::uint32_t placed;
-        TilePolygon cap;  // as if the light were in front
+        std::vector<std::uint32_t> triangles;  // placed
+        std::vector<TilePolygon> caps;         // of them, as if the light were in front
     };
     std::span<const std::uint32_t> entriesOf(const TileScene& scene, std::uint32_t l, std::uint32_t list,
                                              std::vector<std::uint32_t>& read) const;
 
     std::vector<glm::vec4> planes_;
     std::vector<glm::uvec2> facing_;
-    std::vector<Exposed> exposed_;
+    Exposed exposed_;
 };
 
 }  // namespace umbrage

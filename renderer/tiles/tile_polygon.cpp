@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -39,13 +40,13 @@ bool zeroIsInside(const TileEye& eye, const PixelFunction& f) {
     return false;
 }
 
-/// To slopes between 1/2 and 1, by a power of two, which rounds nothing: floats hold it then.
+/// To slopes between 1 and 2, by a power of two, which rounds nothing: floats hold it then.
 PixelFunction scaled(const PixelFunction& f) {
+    constexpr std::uint64_t kExponent = 0x7ff, kBias = 0x3ff;
     const double slope = std::max(std::abs(f.x), std::abs(f.y));
-    if (slope == 0.0) return f;
-    int exponent = 0;
-    std::frexp(slope, &exponent);
-    return times(f, std::ldexp(1.0, -exponent));
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(slope) >> 52 & kExponent;
+    if (exponent == 0 || exponent >= 2 * kBias) return f;  // none, or nothing that a scene can mean
+    return times(f, std::bit_cast<double>((2 * kBias - exponent) << 52));
 }
 
 float marginOf(const TileEye& eye, const PixelFunction& f) {
@@ -71,6 +72,21 @@ bool missesPicture(const TileEye& eye, const PixelFunction& f) {
     return std::max(f.x, 0.0) * eye.width + std::max(f.y, 0.0) * eye.height + f.c < 0.0;
 }
 
+/// See TilePolygon::rows.
+std::uint64_t rowsOf(const TileEye& eye, const TilePolygon& polygon) {
+    const int count = (eye.height + kBlockSize - 1) / kBlockSize;
+    std::uint64_t rows = ~std::uint64_t(0);
+    for (int i = 0; i < kTileBorders; ++i) {
+        const PixelFunction& f = polygon.functions[i];
+        double most = f.c + std::max(f.x, 0.0) * eye.width + std::max(f.y, 0.0) * kBlockSize;
+        for (int row = 0; row < std::min(count, 63); ++row) {
+            if (most < -double(polygon.margins[i])) rows &= ~(std::uint64_t(1) << row);
+            most += f.y * kBlockSize;
+        }
+    }
+    return rows;
+}
+
 /// @param inward  1 or -1: sign of the borders inside
 std::optional<TilePolygon> polygonOf(const TileEye& eye, const std::array<dvec3, kTileBorders>& borders, double inward,
                                      const PixelFunction& depth, int crossing) {
@@ -85,6 +101,7 @@ std::optional<TilePolygon> polygonOf(const TileEye& eye, const std::array<dvec3,
     }
     polygon.functions[kTileBorders] = depth;
     polygon.margins[kTileBorders] = marginOf(eye, depth);
+    polygon.rows = rowsOf(eye, polygon);
     return polygon;
 }
 

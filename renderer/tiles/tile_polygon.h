@@ -31,6 +31,7 @@ struct PixelFunction {
 
 /// One function more than borders: the last is the depth, which is greater where it is nearer: 1/metre along the view
 /// axis, or for an orthographic eye metres towards the viewer.
+inline constexpr int kTileSize = 8, kBlockSize = 64;  // pixels along a side
 inline constexpr int kTileBorders = 3, kTileFunctions = kTileBorders + 1;
 
 /// Covers pixels where every border is at least its threshold, which is 0, or the least number above for those that
@@ -41,6 +42,7 @@ struct TilePolygon {
     float margins[kTileFunctions]{};  // what rounding may do to each when it is evaluated in float
     float thresholds[kTileBorders]{};
     std::int32_t crossing = 0;  // what the count of what lies behind it changes by
+    std::uint64_t rows = 0;     // of blocks that it may touch, one bit each; bit 63 stands for all from there on
 };
 
 /// The infinite quad behind an edge that the surface facing the light runs along from a to b.
