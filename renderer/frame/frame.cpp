@@ -14,6 +14,7 @@
 #include "frame/volume_diagnostics.h"
 #include "gpu/profiler.h"
 #include "shading/gbuffer.h"
+#include "shading/host_resolve.h"
 #include "shading/lights.h"
 #include "shading/materials.h"
 #include "shading/resolve.h"
@@ -76,6 +77,10 @@ struct FrameRenderer::Impl {
     std::unique_ptr<SilhouetteTechnique> technique;
     LightCounts counts;
     Silhouettes silhouettes;
+    std::unique_ptr<HostResolve> hostResolve;  // where that is faster
+    SeenSample seen;                           // where something on the host wants it
+    gpu::ViewData viewData;
+    std::vector<gpu::LightData> lightsInView;
     std::unique_ptr<TileMasks> tiles;          // where counts are made by tiles
     std::unique_ptr<CasterParts> casterParts;  // these two where counts are made by parts
     std::unique_ptr<DepthSampler> depthSampler;
@@ -102,6 +107,9 @@ struct FrameRenderer::Impl {
           resolve(gbuffer),
           technique(makeSilhouetteTechnique(wanted.silhouette, wanted.fault)),
           counts(wanted) {
+        if (wanted.resolveOnHost && context.info().software && gbuffer.samples() == 1 && !surfaces.anyBlended()) {
+            hostResolve = std::make_unique<HostResolve>();
+        }
         if (counts.byTiles()) tiles = std::make_unique<TileMasks>();
         if (!counts.byParts()) return;
         casterParts = std::make_unique<CasterParts>(s, first, geometry, wanted.parts);
@@ -122,7 +130,8 @@ struct FrameRenderer::Impl {
 };
 
 void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& lights) {
-    gpu::ViewData view = viewDataOf(eye);
+    gpu::ViewData& view = viewData;
+    view = viewDataOf(eye);
     view.background = {settings.background, 1.0f};
     view.ambientSky = {settings.ambientSky, 0.0f};
     view.ambientGround = {settings.ambientGround, 0.0f};
@@ -131,15 +140,15 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
     viewBuffer.write(0, sizeof view, &view);
     viewBuffer.bindUniform(BIND_VIEW);
 
-    std::vector<gpu::LightData> data;
+    lightsInView.clear();
     shadowLights.clear();
     for (const PlacedLight* light : lights) {
-        data.push_back(lightData(*light, eye));
+        lightsInView.push_back(lightData(*light, eye));
         shadowLights.push_back(shadowLight(*light));
         if (settings.fault == Fault::ShiftedLight) shadowLights.back() += aside(shadowLights.back(), eye);
     }
-    lightBuffer.reserve("lights", data.size() * sizeof(gpu::LightData));
-    lightBuffer.write(std::span<const gpu::LightData>(data));
+    lightBuffer.reserve("lights", lightsInView.size() * sizeof(gpu::LightData));
+    lightBuffer.write(std::span<const gpu::LightData>(lightsInView));
     lightBuffer.bindStorage(BIND_LIGHTS);
     placeLights(geometry, shadowLights, silhouettes);
     if (!masks || masks->texture().size().layers * LIGHTS_PER_GROUP < int(lights.size())) {
@@ -194,7 +203,7 @@ void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vecto
     if (exactCounts) return;
     std::vector<BoxCorners> corners;
     for (const Geometry::Bounds& box : boxes) corners.push_back(cornersOf(box));
-    const std::array<HalfSpace, 4> view = sidesOfView(eye);
+    const std::array<HalfSpace, 4> viewSides = sidesOfView(eye);
     for (std::uint32_t l = 0; l < group.count; ++l) {
         const PlacedLight& light = *lights[group.first + l];
         const ShadowLight& place = shadowLights[group.first + l];
@@ -205,7 +214,7 @@ void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vecto
         for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
             gpu::CasterState& caster = silhouettes.hostCasters[i];
             const bool beyond = settings.skipOutOfReach && outOfReach(boxes[i], reach);
-            const bool unseen = settings.skipOutOfView && outOfView(corners[i], place, view);
+            const bool unseen = settings.skipOutOfView && outOfView(corners[i], place, viewSides);
             caster.outOfReach |= std::uint32_t(beyond) << l;
             caster.outOfView |= std::uint32_t(unseen) << l;
             if (!ends || beyond || unseen) continue;
@@ -222,9 +231,12 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
     const CountSettings countSettings = findCasters(halve, lights, frame);
     if (tiles || technique->onHost()) silhouettes.hostTriangles.update(geometry);
     masks->clear();
+    if (gbuffer.samples() == 1 && (tiles || hostResolve)) {
+        resolve.readSeen(gbuffer, *masks, silhouettes, 0, glm::vec2(0.5f), seen);
+    }
     parts.clear();
-    std::vector<DepthSample> seen;
-    if (casterParts && casterParts->wantsSamples()) seen = depthSampler->read();
+    std::vector<DepthSample> depthSamples;
+    if (casterParts && casterParts->wantsSamples()) depthSamples = depthSampler->read();
     // Also without any light there is one sweep: it sets up the triangles' planes.
     for (std::uint32_t first = 0; first == 0 || first < lights.size(); first += LIGHTS_PER_GROUP) {
         const LightGroup group{first, std::min<std::uint32_t>(LIGHTS_PER_GROUP, std::uint32_t(lights.size()) - first)};
@@ -237,7 +249,7 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
         limitVolumes(group, lights, outputs.counts);
         if (casterParts) {
             const auto ofGroup = std::span(shadowLights).subspan(first, group.count);
-            casterParts->choose(moment, geometry, modelBounds, ofGroup, first, eye, seen);
+            casterParts->choose(moment, geometry, modelBounds, ofGroup, first, eye, depthSamples);
             if (outputs.splitPlanes) {
                 parts.insert(parts.end(), casterParts->chosen().begin(), casterParts->chosen().end());
             }
@@ -246,6 +258,7 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
             *technique, geometry, group, byFail,
             {settings.shadows || outputs.figures, halve, outputs.figures, tiles ? 0u : counts.withEyeConstant(group)},
             silhouettes);
+        if ((tiles || hostResolve) && !technique->onHost()) silhouettes.readFaces(group);
         if (!settings.shadows || group.count == 0) continue;
         // The tile counter's own counts have no bound.
         const std::vector<std::uint32_t> layers = tiles
@@ -259,7 +272,7 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
                 counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry));
         }
         if (tiles) {
-            tiles->count(plans, geometry, silhouettes, group, {gbuffer, *masks, resolve, eye}, outputs.counts);
+            tiles->count(plans, geometry, silhouettes, group, {gbuffer, *masks, resolve, eye, seen}, outputs.counts);
         }
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
@@ -286,6 +299,9 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
 
 std::vector<float> FrameRenderer::Impl::shade() {
     begin("time.resolve");
+    if (hostResolve) {
+        return hostResolve->shade({gbuffer, seen, *masks, silhouettes, viewData, lightsInView, surfaces.anyEmissive()});
+    }
     resolve.shade(gbuffer, *masks, silhouettes);
     if (surfaces.anyBlended()) {
         begin("time.blended");

@@ -36,6 +36,7 @@ struct FrameSettings {
     bool skipOutOfReach = true;       // see shadow/bounds.h
     bool skipOutOfView = true;        // these two: see shadow/extent.h
     bool endVolumes = true;           // moves corners, so that a mask may round otherwise on a boundary
+    bool resolveOnHost = true;        // where the device is a processor and there is one sample a pixel
     glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
     bool profile = false;
     Fault fault = Fault::None;  // planted on purpose, for the judge's own tests

@@ -6,18 +6,22 @@
 
 namespace umbrage {
 
-void TileMasks::see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample) {
-    target.resolve.readSeen(target.gbuffer, target.masks, silhouettes, sample, eye.sample, read_);
+void TileMasks::see(const Silhouettes& silhouettes, const LightGroup& group, const Target& target, const TileEye& eye,
+                    int sample) {
+    // Of a picture with one sample a pixel somebody else reads it, too.
+    if (target.gbuffer.samples() > 1) {
+        target.resolve.readSeen(target.gbuffer, target.masks, silhouettes, sample, eye.sample, target.seen);
+    }
     SeenPicture picture;
-    picture.triangles = read_.triangles;
-    picture.depths = read_.depths;
+    picture.triangles = target.seen.triangles;
+    picture.depths = target.seen.depths;
     picture.noTriangle = NO_TRIANGLE;
     picture.emptyDepth = target.eye.emptyDepth();
     const double sceneDepths = 1.0 - target.eye.ledge, range = target.eye.zfar - target.eye.znear;
     picture.depthScale = (target.eye.perspective ? 1.0 / target.eye.znear : range) / sceneDepths;
     picture.depthOffset = target.eye.perspective ? 0.0 : -target.eye.zfar;
-    picture.planes = lights_.planes();
-    picture.facing = lights_.facing();
+    picture.planes = silhouettes.hostPlanes;
+    picture.facing = std::span(silhouettes.hostFacing).subspan(silhouettes.facingBase(group));
     if (!seen_) seen_.emplace(eye.width, eye.height);
     seen_->set(picture, eye);
 }
@@ -25,7 +29,6 @@ void TileMasks::see(const Silhouettes& silhouettes, const Target& target, const 
 void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geometry& geometry,
                       const Silhouettes& silhouettes, const LightGroup& group, const Target& target, bool everyPixel) {
     if (!ties_) ties_ = gpu::findSampleTies();
-    lights_.begin(geometry, silhouettes, group);
     const int width = target.gbuffer.width(), height = target.gbuffer.height();
     const std::vector<glm::vec2> positions = target.gbuffer.samplePositions();
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
@@ -40,7 +43,7 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
                           positions[s],
                           glm::dvec2(ties_->right, ties_->down)};
         const TileScene scene{geometry, silhouettes, group, eye};
-        see(silhouettes, target, eye, int(s));
+        see(silhouettes, group, target, eye, int(s));
         if (everyPixel) seen_->lightAll();
         lights_.findExposed(scene, *seen_, counter_);
         counted_.clear();

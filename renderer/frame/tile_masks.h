@@ -18,6 +18,7 @@ public:
         Masks& masks;
         Resolve& resolve;
         const Eye& eye;
+        SeenSample& seen;  // read already, if there is one sample a pixel
     };
     /// Counts a group of lights and writes its masks.
     /// @param plans  per light
@@ -30,13 +31,13 @@ public:
     std::vector<std::uint32_t> readCounts(std::uint32_t l);
 
 private:
-    void see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample);
+    void see(const Silhouettes& silhouettes, const LightGroup& group, const Target& target, const TileEye& eye,
+             int sample);
 
     std::optional<gpu::SampleTies> ties_;  // on first use
     TileLights lights_;
     TileCounter counter_;
     // Kept from frame to frame: fresh memory costs more than what is done with it.
-    SeenSample read_;
     std::vector<std::uint32_t> dark_;
     std::optional<SeenTiles> seen_;  // these two of the first sample
     std::vector<TileLight> counted_;

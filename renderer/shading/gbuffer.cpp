@@ -39,6 +39,11 @@ void GBuffer::begin(float emptyDepth) const {
     glClearBufferfi(GL_DEPTH_STENCIL, 0, emptyDepth, 0);
 }
 
+void GBuffer::readColor(int attachment, GLenum format, GLenum type, std::size_t bytes, void* pixels) const {
+    glNamedFramebufferReadBuffer(framebuffer.name(), GL_COLOR_ATTACHMENT0 + GLenum(attachment));
+    gpu::readPixels(framebuffer.name(), width(), height(), format, type, bytes, pixels);
+}
+
 void GBuffer::bindTextures() const {
     const gpu::Texture* textures[] = {&triangle, &baseColor, &normal, &properties, &emissive, &depthStencil};
     for (GLuint unit = 0; unit < std::size(textures); ++unit) textures[unit]->bind(unit);

@@ -31,6 +31,8 @@ struct GBuffer {
     /// Binds the framebuffer and clears what needs it: depth and stencil. Other values are read only where depth is.
     /// @param emptyDepth  nothing farther is seen
     void begin(float emptyDepth) const;
+    /// Of one sample a pixel, rows from the top. Waits. @param attachment  0 to 4, in the order above
+    void readColor(int attachment, GLenum format, GLenum type, std::size_t bytes, void* pixels) const;
     /// For gbuffer.glsl: units 0 to 5.
     void bindTextures() const;
 };

@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "gpu/state.h"
+#include "shading/shade_row.h"
 
 namespace umbrage {
 namespace {
@@ -100,12 +101,12 @@ void Resolve::readSeen(const GBuffer& gbuffer, const Masks& masks, const Silhoue
                        const glm::vec2& position, SeenSample& seen) {
     const int width = gbuffer.width(), height = gbuffer.height();
     const std::size_t pixels = std::size_t(width) * std::size_t(height), bytes = 4 * pixels;
-    seen.triangles.resize(pixels);
-    seen.depths.resize(pixels);
+    seen.triangles.resize(pixels + kShadeLanes);
+    seen.depths.resize(pixels + kShadeLanes);
     if (gbuffer.samples() == 1) {
-        const GLuint from = gbuffer.framebuffer.name();
-        gpu::readPixels(from, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, seen.triangles.data());
-        gpu::readPixels(from, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, bytes, seen.depths.data());
+        gbuffer.readColor(0, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, seen.triangles.data());
+        gpu::readPixels(gbuffer.framebuffer.name(), width, height, GL_DEPTH_COMPONENT, GL_FLOAT, bytes,
+                        seen.depths.data());
         return;
     }
     drawSample(seen_, gbuffer, masks, silhouettes, sample, position);

@@ -16,6 +16,7 @@
 
 namespace umbrage {
 
+/// Padded to whole vectors of kShadeLanes.
 struct SeenSample {
     std::vector<std::uint32_t> triangles;
     std::vector<float> depths;

@@ -57,8 +57,9 @@ Surfaces::Surfaces(const Scene& scene, const Geometry& geometry)
             if (primitive.hasTangents) entry.flags |= DRAW_HAS_TANGENTS;
             if (primitive.hasColors) entry.flags |= DRAW_HAS_COLORS;
             data.push_back(entry);
-            const AlphaMode alpha =
-                primitive.material == kNone ? AlphaMode::Opaque : scene.materials[primitive.material].alphaMode;
+            const Material material = primitive.material == kNone ? Material{} : scene.materials[primitive.material];
+            const AlphaMode alpha = material.alphaMode;
+            anyEmissive_ = anyEmissive_ || !isTriangles || material.unlit || material.emissive != glm::vec3(0.0f);
             if (alpha == AlphaMode::Blend) {
                 draw.center = centerOf(mesh, primitive) - geometry.originOf(i);
                 blended_.push_back(draw);

@@ -38,6 +38,8 @@ public:
     /// buffer is bound.
     void findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters);
 
+    /// Whether anything shines by itself or is unlit.
+    bool anyEmissive() const { return anyEmissive_; }
     bool anyBlended() const { return !blended_.empty(); }
     /// Back to front by the middle of each primitive's bounds; of double-sided ones the back faces first.
     /// @param worldBoxes  per instance; places those that deform
@@ -61,6 +63,7 @@ private:
     std::vector<Draw> opaque_;  // sorted by material
     std::vector<Draw> blended_;
     std::vector<bool> holed_;
+    bool anyEmissive_ = false;
     gpu::Buffer drawBuffer_, drawIds_;
     gpu::VertexArray vertexArray_;
     const gpu::Program& gbufferProgram(std::uint32_t textures, bool masked);

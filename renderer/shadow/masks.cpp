@@ -188,6 +188,12 @@ void Masks::upload(std::uint32_t group, std::span<const std::uint32_t> bits) {
                         GL_UNSIGNED_INT, bits.data());
 }
 
+void Masks::read(std::uint32_t group, std::span<std::uint32_t> bits) const {
+    const gpu::Texture::Size size = texture_.size();
+    gpu::readPixels(framebuffers_[group].name(), size.width, size.height, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                    bits.size_bytes(), bits.data());
+}
+
 const gpu::Framebuffer& Masks::singleSampled(bool wide) const {
     const gpu::Framebuffer& counted = wide ? wideTarget_ : stencilOnly_;
     if (!oneSample_.name()) return counted;

@@ -31,6 +31,9 @@ public:
     /// The same, of a picture with one sample a pixel. Before anything else of the group is counted.
     void upload(std::uint32_t group, std::span<const std::uint32_t> bits);
 
+    /// The bits of a group, rows from the top, of a picture with one sample a pixel. Waits.
+    void read(std::uint32_t group, std::span<std::uint32_t> bits) const;
+
     /// What the last count() counted, rows from the top; one sample of each pixel. Waits.
     /// @param plan  what was given to count()
     /// @return layers over each sample; where rounding on a shadow's border makes a negative count, its magnitude, so

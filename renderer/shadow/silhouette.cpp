@@ -15,6 +15,14 @@ void Silhouettes::bind() const {
     if (parts) parts->bind();
 }
 
+void Silhouettes::readFaces(const LightGroup& group) {
+    const std::size_t first = facingBase(group);
+    hostFacing.resize(std::max(hostFacing.size(), first + facingStride));
+    facing.read(first * sizeof(gpu::uvec2), facingStride * sizeof(gpu::uvec2), &hostFacing[first]);
+    hostPlanes.resize(facingStride);
+    planes.read(0, facingStride * sizeof(gpu::vec4), hostPlanes.data());
+}
+
 std::uint32_t listOf(const gpu::InstanceData& instance, const gpu::CasterState& caster, std::uint32_t l, bool even) {
     if (caster.countedByFail >> l & 1u) return LIST_FAIL;
     return even && !(instance.flags & INSTANCE_WHOLE) && !(caster.lightOn >> l & 1u) ? LIST_HALVED : LIST_WHOLE;

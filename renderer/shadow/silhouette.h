@@ -42,7 +42,12 @@ struct Silhouettes {
     std::uint32_t totalLights = 0, facingStride = 0;
     std::vector<std::array<glm::vec4, 6>> extents;  // faces of what each light of the group shines on, in view space
 
-    HostTriangles hostTriangles;  // up to date where something on the host asks for it
+    // Up to date where something on the host asks for them, as the buffers:
+    HostTriangles hostTriangles;
+    std::vector<gpu::uvec2> hostFacing;
+    std::vector<gpu::vec4> hostPlanes;
+    /// What a technique on the device has found for a group. Waits.
+    void readFaces(const LightGroup& group);
 
     SplitParts* parts = nullptr;  // where counts are made by parts: not owned
 

@@ -96,9 +96,8 @@ private:
     void upload(const Sweep& sweep);
 
     std::vector<Stretch> triangleStretches_, edgeStretches_;
-    std::vector<Nearness> nearness_;  // per instance
-    std::vector<gpu::uvec2> facing_;
-    std::vector<gpu::vec4> planes_;
+    std::vector<Nearness> nearness_;                   // per instance
+    std::span<gpu::uvec2> facing_;                     // of the group
     std::vector<std::vector<Found>> found_;            // per stretch of edges
     std::vector<std::vector<std::uint32_t>> entries_;  // light-major, LIST_COUNT lists each
     ListedSides sides_;
@@ -125,8 +124,11 @@ void CpuSilhouettes::sweep(const Geometry& geometry, const LightGroup& group, co
         found_.resize(edgeStretches_.size());
         nearness_.resize(geometry.instanceCount());
     }
-    facing_.assign(geometry.placedTriangleCount(), gpu::uvec2(0));
-    planes_.assign(geometry.placedTriangleCount(), gpu::vec4(0.0f));
+    const std::size_t first = out.facingBase(group);
+    out.hostFacing.resize(std::max<std::size_t>(out.hostFacing.size(), first + out.facingStride));
+    facing_ = std::span(out.hostFacing).subspan(first, out.facingStride);
+    std::ranges::fill(facing_, gpu::uvec2(0));
+    out.hostPlanes.resize(out.facingStride);
     if (out.parts) out.parts->read();  // their planes are made on the device
     // Lists come out in the same order whatever thread fills them, and sums have none. Parts are summed up as they are.
     tbb::enumerable_thread_specific<Summaries> summaries(Summaries(group.count));
@@ -196,7 +198,7 @@ void CpuSilhouettes::faceTriangles(const Sweep& sweep, const Stretch& at, Summar
     const gpu::InstanceData& instance = geometry.instances()[at.instance];
     const gpu::CasterState& caster = out.hostCasters[at.instance];
     const std::uint32_t placed = instance.placedTriangleBase + at.first;
-    sweep.out.hostTriangles.planes(instance, at.instance, at.first, at.count, &planes_[placed]);
+    sweep.out.hostTriangles.planes(instance, at.instance, at.first, at.count, &out.hostPlanes[placed]);
     std::array<std::uint32_t, 8 * CHUNK_SIZE> front{}, back{};
     const std::uint32_t skipped = caster.outOfReach | caster.outOfView;
     for (std::uint32_t l = 0; l < group.count; ++l) {
@@ -377,7 +379,7 @@ void CpuSilhouettes::upload(const Sweep& sweep) {
     out.casters.write(std::span<const gpu::CasterState>(out.hostCasters));
     if (out.parts) out.parts->upload();
     out.facing.write(out.facingBase(group) * sizeof(gpu::uvec2), facing_.size() * sizeof(gpu::uvec2), facing_.data());
-    out.planes.write(std::span<const gpu::vec4>(planes_));
+    out.planes.write(std::span<const gpu::vec4>(out.hostPlanes));
 }
 
 }  // namespace

@@ -81,11 +81,6 @@ bool mayBeNearest(const std::array<glm::dvec3, 3>& corners, const TileScene& sce
 
 }  // namespace
 
-void TileLights::begin(const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group) {
-    readFirst(silhouettes.planes, 0, geometry.placedTriangleCount(), planes_);
-    readFirst(silhouettes.facing, silhouettes.facingBase(group), geometry.placedTriangleCount(), facing_);
-}
-
 void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter) {
     const auto& [geometry, silhouettes, group, eye] = scene;
     const HostTriangles& triangles = silhouettes.hostTriangles;
@@ -102,7 +97,7 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
         for (std::uint32_t k = 0; k < count; ++k) {
             const std::uint32_t placed = chunk * CHUNK_SIZE + k;
             const std::uint32_t flags = geometry.triangleFlags()[instance.triangleBase + first + k];
-            if ((flags & TRIANGLE_CASTS) == 0 || (facing_[placed].x | facing_[placed].y) == 0) continue;
+            if ((flags & TRIANGLE_CASTS) == 0 || (scene.facing(placed).x | scene.facing(placed).y) == 0) continue;
             const bool turnedAway = (insideOut ? front[k] : back[k]) != 0;
             const bool culled = (flags & TRIANGLE_SINGLE_SIDED) != 0 && turnedAway;
             const auto corners = triangles.corners(geometry, i, first + k);
@@ -161,7 +156,7 @@ TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& s
     }
     takeAll(made, light.polygons);
     for (std::size_t k = 0; k < exposed_.caps.size(); ++k) {
-        const glm::uvec2 sides = facing_[exposed_.triangles[k]];
+        const glm::uvec2 sides = scene.facing(exposed_.triangles[k]);
         const int facing = int(sides.x >> l & 1u) - int(sides.y >> l & 1u);
         if (facing == 0) continue;
         light.polygons.push_back(exposed_.caps[k]);

@@ -12,23 +12,21 @@
 
 namespace umbrage {
 
-/// A sample of every pixel, and the eye.
+/// A sample of every pixel, and the eye. Of the silhouettes what is on the host is up to date.
 struct TileScene {
     const Geometry& geometry;
     const Silhouettes& silhouettes;
     const LightGroup& group;
     const TileEye& eye;
+
+    /// Bits of lights that the front and the back of a placed triangle face.
+    const glm::uvec2& facing(std::uint32_t placed) const {
+        return silhouettes.hostFacing[silhouettes.facingBase(group) + placed];
+    }
 };
 
 class TileLights {
 public:
-    /// After a sweep over a group of lights: reads back what the device has found.
-    void begin(const Geometry& geometry, const Silhouettes& silhouettes, const LightGroup& group);
-
-    /// Per placed triangle: its plane in view space; bits of lights that its front and its back face.
-    std::span<const glm::vec4> planes() const { return planes_; }
-    std::span<const glm::uvec2> facing() const { return facing_; }
-
     /// Finds the casting triangles that may be nearer than what is seen: culled, with holes, or before the near plane.
     /// @param seen  at the eye's sample
     void findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter);
@@ -44,8 +42,6 @@ private:
     std::span<const std::uint32_t> entriesOf(const TileScene& scene, std::uint32_t l, std::uint32_t list,
                                              std::vector<std::uint32_t>& read) const;
 
-    std::vector<glm::vec4> planes_;
-    std::vector<glm::uvec2> facing_;
     Exposed exposed_;
 };
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "frame/frame.h"
+#include "frame/settings.h"
 #include "job/job.h"
 #include "scene/compose.h"
 #include "techniques.h"
@@ -58,6 +59,31 @@ TEST(Textbook, ZPassWithoutTheEyeConstantIsWrongInNestedVolumes) {
 }
 
 class Sequence : public testing::TestWithParam<std::string> {};
+
+TEST_P(Sequence, TheHostResolvesAsTheDeviceDoes) {
+    const Job job = readJob(std::filesystem::path(UMBRAGE_SOURCE_DIR) / "configs" / (GetParam() + ".yaml"));
+    const Composition composition = compose(job);
+    FrameSettings settings = settingsOf(job, composition);
+    settings.width = 129;  // no whole vectors
+    settings.height = 96;
+    settings.samples = 1;
+    const PlacedMoment now = placedMoment(job, composition, 7);
+    const auto radiance = [&](bool onHost) {
+        settings.resolveOnHost = onHost;
+        Statistics statistics;
+        return FrameRenderer(composition.scene, now.moment, settings, context())
+            .render(now.moment, now.camera, {}, 7, statistics)
+            .radiance;
+    };
+    const std::vector<float> host = radiance(true), device = radiance(false);
+    ASSERT_EQ(host.size(), device.size());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < host.size(); ++i) {
+        ASSERT_NEAR(host[i], device[i], 2e-3 * (0.01 + std::abs(device[i]))) << i;
+        sum += device[i];
+    }
+    EXPECT_GT(sum, 0.0);
+}
 
 TEST_P(Sequence, PassAndFailAgree) {
     const char* allFrames = std::getenv("UMBRAGE_ALL_FRAMES");

@@ -8,8 +8,11 @@
 namespace umbrage::test {
 namespace {
 
-class Shading : public testing::Test {
+/// By the device, and, where that is a processor, without it.
+class Shading : public testing::TestWithParam<bool> {
 protected:
+    void SetUp() override { sheets.settings.resolveOnHost = GetParam(); }
+
     const gpu::Context& context = test::context();
     Sheets sheets;
 
@@ -73,7 +76,7 @@ void Shading::expectLitRight() {
     EXPECT_GT(brightest, 0.01) << "nothing was lit";
 }
 
-TEST_F(Shading, FollowsTheSpecificationsBrdfForEveryKindOfLightAndCamera) {
+TEST_P(Shading, FollowsTheSpecificationsBrdfForEveryKindOfLightAndCamera) {
     for (const bool perspective : {true, false}) {
         for (const LightType type : {LightType::Point, LightType::Spot, LightType::Directional}) {
             for (const float metallic : {0.0f, k51, 1.0f}) {
@@ -102,7 +105,7 @@ TEST_F(Shading, FollowsTheSpecificationsBrdfForEveryKindOfLightAndCamera) {
     }
 }
 
-TEST_F(Shading, LightEndsAtItsRangeAndSeveralLightsAddUp) {
+TEST_P(Shading, LightEndsAtItsRangeAndSeveralLightsAddUp) {
     sheets.add(plain(glm::vec3(0.5f), 0.0f, 1.0f), 100.0f);
     sheets.test.addLight(LightType::Point, {-0.5, 0.0, 1.0});
     sheets.test.addLight(LightType::Point, {0.7, 0.3, 1.0});
@@ -112,7 +115,7 @@ TEST_F(Shading, LightEndsAtItsRangeAndSeveralLightsAddUp) {
     expectLitRight();
 }
 
-TEST_F(Shading, AmbientLightIsMixedByTheNormalsHeightAndDimmedByOcclusion) {
+TEST_P(Shading, AmbientLightIsMixedByTheNormalsHeightAndDimmedByOcclusion) {
     Material material = plain({0.8f, 0.4f, 0.2f}, 0.0f, 1.0f);
     material.occlusionTexture = sheets.texture(1, 1, {{51, 255, 255, 255}});
     material.occlusionStrength = 0.5f;
@@ -124,14 +127,14 @@ TEST_F(Shading, AmbientLightIsMixedByTheNormalsHeightAndDimmedByOcclusion) {
     expectColor(sheets.render(context), 32, 24, glm::dvec3(0.8, 0.4, 0.2) * ambient * (1.0 - 0.5 * 0.8), 2e-3);
 }
 
-TEST_F(Shading, UnlitSurfacesShowTheirColorWhateverTheLight) {
+TEST_P(Shading, UnlitSurfacesShowTheirColorWhateverTheLight) {
     sheets.add(unlit({0.25f, 0.5f, 0.75f, 1.0f}), 100.0f);
     sheets.test.addLight(LightType::Point, {0.0, 0.0, 1.0});
     sheets.settings.ambientSky = sheets.settings.ambientGround = glm::vec3(1.0f);
     expectColorEverywhere(sheets.render(context), {0.25, 0.5, 0.75});
 }
 
-TEST_F(Shading, VertexColorsMultiplyTheBaseColorLinearly) {
+TEST_P(Shading, VertexColorsMultiplyTheBaseColorLinearly) {
     sheets.add(unlit({0.5f, 1.0f, 1.0f, 1.0f}), 1.0f);
     Mesh& mesh = sheets.lastMesh();
     for (const glm::vec3& p : mesh.positions) mesh.colors.emplace_back(p.x > 0.0f ? 1.0f : 0.0f, 0.25f, 1.0f, 1.0f);
@@ -141,7 +144,7 @@ TEST_F(Shading, VertexColorsMultiplyTheBaseColorLinearly) {
     expectColor(pixels, 36, 24, {0.5 * (p.x + 1.0) / 2.0, 0.25, 1.0});
 }
 
-TEST_F(Shading, ColorTexturesAreDecodedFromSrgbAndTheRestIsNot) {
+TEST_P(Shading, ColorTexturesAreDecodedFromSrgbAndTheRestIsNot) {
     constexpr double kSampler =
         4e-3;  // llvmpipe's decoding is off by up to a third of a percent, a fifth of an 8-bit step
     Material material = unlit({1, 1, 1, 1});
@@ -168,7 +171,7 @@ TEST_F(Shading, ColorTexturesAreDecodedFromSrgbAndTheRestIsNot) {
     expectLitRight();
 }
 
-TEST_F(Shading, TextureCoordinatesAreTransformedAndTakenFromTheRightSet) {
+TEST_P(Shading, TextureCoordinatesAreTransformedAndTakenFromTheRightSet) {
     const std::vector<Texel> four = {{255, 0, 0, 255}, {0, 255, 0, 255}, {0, 0, 255, 255}, {255, 255, 255, 255}};
     Material material = unlit({1, 1, 1, 1});
     material.baseColorTexture = sheets.texture(2, 2, four);
@@ -191,7 +194,7 @@ TEST_F(Shading, TextureCoordinatesAreTransformedAndTakenFromTheRightSet) {
     colorsAre({white, blue, green, red});
 }
 
-TEST_F(Shading, TexturesAreAsSharpOnTinyTrianglesAsOnLargeOnes) {
+TEST_P(Shading, TexturesAreAsSharpOnTinyTrianglesAsOnLargeOnes) {
     // llvmpipe gives the helper lanes at a triangle's edge zeros from storage buffers; with texture coordinates made
     // from those the smallest mipmap was taken there.
     std::vector<Texel> board;
@@ -220,7 +223,7 @@ TEST_F(Shading, TexturesAreAsSharpOnTinyTrianglesAsOnLargeOnes) {
     }
 }
 
-TEST_F(Shading, MaskedSurfacesHaveHolesWhereAlphaIsBelowTheCutoff) {
+TEST_P(Shading, MaskedSurfacesHaveHolesWhereAlphaIsBelowTheCutoff) {
     Material material = unlit({1.0f, 1.0f, 1.0f, 0.8f});
     material.alphaMode = AlphaMode::Mask;
     material.alphaCutoff = 0.4f;
@@ -235,12 +238,12 @@ TEST_F(Shading, MaskedSurfacesHaveHolesWhereAlphaIsBelowTheCutoff) {
     expectColor(pixels, 42, 34, {1, 0, 0});
 }
 
-TEST_F(Shading, OpaqueSurfacesIgnoreAlpha) {
+TEST_P(Shading, OpaqueSurfacesIgnoreAlpha) {
     sheets.add(unlit({0.5f, 0.5f, 0.5f, 0.1f}), 100.0f);
     expectColorEverywhere(sheets.render(context), glm::dvec3(0.5));
 }
 
-TEST_F(Shading, BlendedSurfacesLieOverWhatIsBehindThemInOrderOfDepth) {
+TEST_P(Shading, BlendedSurfacesLieOverWhatIsBehindThemInOrderOfDepth) {
     Material blue = unlit({0.0f, 0.0f, 1.0f, 0.5f}), red = unlit({1.0f, 0.0f, 0.0f, 0.25f});
     Material hidden = unlit({1.0f, 1.0f, 1.0f, 0.5f});
     blue.alphaMode = red.alphaMode = hidden.alphaMode = AlphaMode::Blend;
@@ -253,7 +256,7 @@ TEST_F(Shading, BlendedSurfacesLieOverWhatIsBehindThemInOrderOfDepth) {
     expectColorEverywhere(sheets.render(context), over);
 }
 
-TEST_F(Shading, BlendedSurfacesAreLitLikeOpaqueOnes) {
+TEST_P(Shading, BlendedSurfacesAreLitLikeOpaqueOnes) {
     Material material = plain({0.8f, 0.4f, 0.1f}, k51, 2 * k51);
     sheets.add(material, 100.0f);
     sheets.test.addLight(LightType::Point, {-1.0, 1.0, 2.0});
@@ -264,7 +267,7 @@ TEST_F(Shading, BlendedSurfacesAreLitLikeOpaqueOnes) {
     for (std::size_t i = 0; i < opaque.size(); ++i) ASSERT_NEAR(opaque[i], blended[i], 2e-3 * opaque[i] + 1e-5) << i;
 }
 
-TEST_F(Shading, NormalMapsTiltTheSameWayWithAndWithoutTangents) {
+TEST_P(Shading, NormalMapsTiltTheSameWayWithAndWithoutTangents) {
     // (x, y, z) of the map: right and up along the texture. As 8-bit values, 128 is not quite 0.
     const Texel texel{178, 204, 230, 255};
     const glm::dvec3 mapped = glm::normalize(2.0 * glm::dvec3(178, 204, 230) / 255.0 - 1.0);
@@ -302,7 +305,7 @@ TEST_F(Shading, NormalMapsTiltTheSameWayWithAndWithoutTangents) {
     }
 }
 
-TEST_F(Shading, NormalsAreTurnedToTheViewerOnBackFacesAndFlatWithoutNormals) {
+TEST_P(Shading, NormalsAreTurnedToTheViewerOnBackFacesAndFlatWithoutNormals) {
     Material material = plain(glm::vec3(1.0f), 0.0f, 1.0f);
     material.doubleSided = true;
     Node& node = sheets.add(material, 1.0f);
@@ -315,7 +318,7 @@ TEST_F(Shading, NormalsAreTurnedToTheViewerOnBackFacesAndFlatWithoutNormals) {
     EXPECT_LT(glm::length(normal() + front), 1e-3);
 }
 
-TEST_F(Shading, SeveralSamplesAPixelGiveTheCoverageOfEdges) {
+TEST_P(Shading, SeveralSamplesAPixelGiveTheCoverageOfEdges) {
     if (context.maxSamples() < 4) GTEST_SKIP() << "the device has no 4 samples a pixel";
     Node& node = sheets.add(unlit({1, 1, 1, 1}), 1.0f);
     node.rotation = glm::angleAxis(glm::radians(17.0), glm::dvec3(0, 0, 1));
@@ -333,6 +336,10 @@ TEST_F(Shading, SeveralSamplesAPixelGiveTheCoverageOfEdges) {
     EXPECT_GT(partial, 60);
     EXPECT_NEAR(area, std::pow(2.0 * pixelsPerMetre, 2.0), 4.0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Resolved, Shading, testing::Bool(), [](const auto& parameters) {
+    return std::string(parameters.param ? "onTheHost" : "onTheDevice");
+});
 
 }  // namespace
 }  // namespace umbrage::test
