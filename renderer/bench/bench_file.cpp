@@ -88,6 +88,10 @@ Type<BenchSequence> sequence() {
                 [](Sequence& s, const std::vector<std::string>& measure) { s.measure = measure; },
                 "What is measured of it; [] nothing, for pictures alone")
                 .unset("what the bench says"),
+            fieldThrough<Sequence, bool>(
+                "tracer", boolean(), [](Sequence& s, bool tracer) { s.tracer = tracer; },
+                "As the bench's, for this sequence")
+                .unset("what the bench says"),
             field<Sequence>("casters", listOf(located(text()), "a list of globs"), &Sequence::casters,
                             "For tiles: all meshes at and below a node that one of these matches are one caster, "
                             "nothing else casts")
@@ -181,6 +185,10 @@ Type<Bench> benchType() {
             field<Bench>("techniques", techniques(), &Bench::techniques,
                          "For times: silhouette:count pairs that are compared")
                 .unset("each sequence's own"),
+            field<Bench>("tracer", boolean(), &Bench::tracer,
+                         "For times: also by the tracer, Embree's packets of primary rays and one robust occlusion ray "
+                         "for each lit sample and light. Textures and vertex colours are replaced by the factors they "
+                         "are multiplied with, for every technique"),
             field<Bench>("rounds", integer(between(1, 1000)), &Bench::rounds,
                          "For times: how often everything is measured, all in turn"),
             fieldThrough<Bench, std::array<int, 2>>(

@@ -10,15 +10,6 @@
 namespace umbrage {
 namespace {
 
-TraceTile* traceTileHere() {
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512bw")) {
-        return traceTileAvx512;
-    }
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? traceTileAvx2 : traceTileBaseline;
-}
-
 void set(float (&to)[3], const glm::dvec3& from) {
     for (int k = 0; k < 3; ++k) to[k] = float(from[k]);
 }
@@ -73,6 +64,15 @@ std::vector<TracerReach> reachOf(const std::vector<TracerLight>& lights) {
 
 }  // namespace
 
+TraceTile* traceTileHere() {
+    __builtin_cpu_init();
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx512bw")) {
+        return traceTileAvx512;
+    }
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? traceTileAvx2 : traceTileBaseline;
+}
+
 void makeColorsConstant(Scene& scene) {
     for (Material& material : scene.materials) {
         material.baseColorTexture = material.metallicRoughnessTexture = material.normalTexture =
@@ -94,10 +94,10 @@ TracerSettings tracerSettings(const FrameSettings& settings) {
     return made;
 }
 
-Tracer::Tracer(const TracerScene& scene, const TracerSettings& settings)
+Tracer::Tracer(const TracerScene& scene, const TracerSettings& settings, TraceTile* traceTile)
     : scene_(scene),
       settings_(settings),
-      traceTile_(traceTileHere()),
+      traceTile_(traceTile),
       radiance_(4 * std::size_t(settings.width) * std::size_t(settings.height)) {}
 
 void Tracer::run(const Moment& moment, const PlacedCamera& camera, FramePixels* samples) {

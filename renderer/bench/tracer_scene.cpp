@@ -80,11 +80,15 @@ struct TracerScene::Hierarchies {
         one = {};
     }
 
-    One make(const std::vector<float>& positions, const std::vector<std::int32_t>& vertices, RTCSceneFlags flags,
-             RTCBuildQuality quality) const {
+    /// @param refits  when committed again it is fitted to where the vertices are then
+    One make(const std::vector<float>& positions, const std::vector<std::int32_t>& vertices, bool refits) const {
         One one{rtcNewScene(device), rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE)};
-        rtcSetSceneFlags(one.scene, flags);
-        rtcSetGeometryBuildQuality(one.triangles, quality);
+        rtcSetSceneFlags(one.scene,
+                         RTCSceneFlags(RTC_SCENE_FLAG_ROBUST |
+                                       (refits ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION)));
+        // Only scenes of low quality look at what their geometries want.
+        rtcSetSceneBuildQuality(one.scene, refits ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
+        rtcSetGeometryBuildQuality(one.triangles, refits ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM);
         rtcSetSharedGeometryBuffer(one.triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(), 0,
                                    3 * sizeof(float), positions.size() / 3 - 1);
         rtcSetSharedGeometryBuffer(one.triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, vertices.data(), 0,
@@ -186,17 +190,14 @@ bool TracerScene::place(const Moment& moment, const Geometry& geometry, const Ey
 double TracerScene::build() {
     Hierarchies& h = *hierarchies_;
     h.release(h.built);
-    h.built =
-        h.make(positions_, vertices_, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION),
-               RTC_BUILD_QUALITY_MEDIUM);
+    h.built = h.make(positions_, vertices_, false);
     return h.commit(h.built);
 }
 
 double TracerScene::refit() {
     Hierarchies& h = *hierarchies_;
     if (!h.fitted.scene) {
-        h.fitted = h.make(positions_, vertices_, RTCSceneFlags(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC),
-                          RTC_BUILD_QUALITY_REFIT);
+        h.fitted = h.make(positions_, vertices_, true);
         h.commit(h.fitted);
     }
     rtcUpdateGeometryBuffer(h.fitted.triangles, RTC_BUFFER_TYPE_VERTEX, 0);

@@ -5,6 +5,8 @@
 // The formulas are those of shaders/resolve.frag.glsl, lights.glsl and brdf.glsl (glTF 2.0, appendix B;
 // KHR_lights_punctual), for sixteen pixels at once.
 
+#include <immintrin.h>
+
 namespace umbrage {
 namespace {
 
@@ -13,6 +15,7 @@ typedef std::int32_t Ints __attribute__((vector_size(64)));  // a comparison: -1
 constexpr int kLanes = kTracerLanes, kPacketSide = 4;
 constexpr Floats kColumn{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 constexpr Floats kRow{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
+constexpr std::int32_t kFrontSeen = std::int32_t(kTracerFrontSeen), kBackSeen = std::int32_t(kTracerBackSeen);
 constexpr float kPi = 3.14159265358979f;
 constexpr float kInfinity = __builtin_inff();
 
@@ -70,14 +73,30 @@ inline Floats3 unit(const Floats3& v) {
     return (1.0f / root(larger(dot(v, v), Floats{} + 1e-30f))) * v;
 }
 
-/// values[stride * index], lane by lane.
-inline Floats gather(const float* values, const Ints& index, int stride) {
-    Floats result;
-    for (int i = 0; i < kLanes; ++i) result[i] = values[stride * index[i]];
+/// values[index], lane by lane. Compilers do not make the instruction of it by themselves.
+template <class Vector, class Element>
+inline Vector gather(const Element* values, const Ints& index) {
+    static_assert(sizeof(Element) == 4);
+    Vector result;
+#if defined(__AVX512F__)
+    __m512i at;
+    __builtin_memcpy(&at, &index, sizeof at);
+    // The plain form begins with a register that GCC 12 calls uninitialised.
+    const __m512 found = _mm512_mask_i32gather_ps(_mm512_setzero_ps(), 0xffff, at, values, 4);
+    __builtin_memcpy(&result, &found, sizeof result);
+#elif defined(__AVX2__)
+    __m256i at[2];
+    __builtin_memcpy(&at, &index, sizeof at);
+    const __m256 found[2] = {_mm256_i32gather_ps(reinterpret_cast<const float*>(values), at[0], 4),
+                             _mm256_i32gather_ps(reinterpret_cast<const float*>(values), at[1], 4)};
+    __builtin_memcpy(&result, &found, sizeof result);
+#else
+    for (int i = 0; i < kLanes; ++i) __builtin_memcpy(reinterpret_cast<char*>(&result) + 4 * i, values + index[i], 4);
+#endif
     return result;
 }
-inline Floats3 gather3(const float* values, const Ints& index, int stride) {
-    return {gather(values, index, stride), gather(values + 1, index, stride), gather(values + 2, index, stride)};
+inline Floats3 gather3(const float* values, const Ints& index) {
+    return {gather<Floats>(values, index), gather<Floats>(values + 1, index), gather<Floats>(values + 2, index)};
 }
 
 /// Of a packet: where it is, and what is seen there.
@@ -87,7 +106,7 @@ struct Packet {
     Floats distance;
     Floats3 facing;  // of the seen side's plane, towards the viewer; any length
     Ints front;
-    alignas(64) std::int32_t triangle[kLanes];
+    Ints triangle, traits;
     Floats u, v;
 };
 
@@ -159,14 +178,11 @@ inline void see(const TracerFrame& frame, int left, int top, Packet& packet) {
         packet.hit = packet.inside & (load<Ints>(rays.hit.geomID) != -1);
         normal = {load<Floats>(rays.hit.Ng_x), load<Floats>(rays.hit.Ng_y), load<Floats>(rays.hit.Ng_z)};
         const Ints triangle = packet.hit ? load<Ints>(rays.hit.primID) : Ints{};
-        store(packet.triangle, triangle);
+        packet.triangle = triangle;
         packet.front = dot(normal, packet.direction) < 0.0f;
+        packet.traits = gather<Ints>(frame.traits, triangle);
         if (again) break;
-        Ints seen;
-        for (int i = 0; i < kLanes; ++i) {
-            seen[i] = std::int32_t(frame.traits[triangle[i]] << (packet.front[i] ? 0 : 1));  // to the sign
-        }
-        wanted = packet.hit & (seen >= 0);
+        wanted = packet.hit & ((packet.traits & (packet.front ? Ints{} + kFrontSeen : Ints{} + kBackSeen)) == 0);
         if (!any(wanted)) break;
         filter.context.filter = rejectUnseen;
     }
@@ -181,14 +197,13 @@ inline void see(const TracerFrame& frame, int left, int top, Packet& packet) {
 inline Floats3 shadingNormal(const TracerFrame& frame, const Packet& packet, const Ints& flat) {
     const Floats3 plane = unit(packet.facing);
     if (!any(~flat)) return plane;
-    Ints corner[3];
-    for (int k = 0; k < 3; ++k) {
-        for (int i = 0; i < kLanes; ++i) corner[k][i] = frame.vertices[3 * packet.triangle[i] + k];
-    }
+    const auto normalOf = [&](int corner) {
+        const Ints vertex = gather<Ints>(frame.vertices + corner, 3 * packet.triangle);
+        return gather3(frame.normals, 3 * vertex);
+    };
     const Floats side = packet.front ? Floats{} + 1.0f : Floats{} - 1.0f;
-    const Floats3 n = (side * (1.0f - packet.u - packet.v)) * gather3(frame.normals, corner[0], 3) +
-                      (side * packet.u) * gather3(frame.normals, corner[1], 3) +
-                      (side * packet.v) * gather3(frame.normals, corner[2], 3);
+    const Floats3 n = (side * (1.0f - packet.u - packet.v)) * normalOf(0) + (side * packet.u) * normalOf(1) +
+                      (side * packet.v) * normalOf(2);
     const Floats size = dot(n, n);
     const Ints flatHere = flat | (size == 0.0f);
     const Floats scale = 1.0f / root(size);
@@ -300,24 +315,20 @@ inline void addLight(const TracerFrame& frame, int number, const Packet& packet,
 }
 
 inline Floats3 shade(const TracerFrame& frame, const Packet& packet, int left, int top) {
-    Ints material, flat;
-    for (int i = 0; i < kLanes; ++i) {
-        const std::uint32_t traits = frame.traits[packet.triangle[i]];
-        material[i] = std::int32_t(traits & kTracerMaterial);
-        flat[i] = traits & kTracerFlat ? -1 : 0;
-    }
+    const Ints flat = (packet.traits & std::int32_t(kTracerFlat)) != 0;
     constexpr int kStride = sizeof(TracerMaterial) / sizeof(float);
+    const Ints material = (packet.traits & std::int32_t(kTracerMaterial)) * kStride;
     const TracerMaterial& first = frame.materials[0];
     Shading s;
     s.n = shadingNormal(frame, packet, flat);
     s.v = unit(packet.direction);
     s.v = {-s.v.x, -s.v.y, -s.v.z};
-    s.baseColor = gather3(first.baseColor, material, kStride);
-    s.metallic = gather(&first.metallic, material, kStride);
-    s.roughness = gather(&first.roughness, material, kStride);
-    const Ints lit = packet.hit & (gather(&first.lit, material, kStride) > 0.0f);
+    s.baseColor = gather3(first.baseColor, material);
+    s.metallic = gather<Floats>(&first.metallic, material);
+    s.roughness = gather<Floats>(&first.roughness, material);
+    const Ints lit = packet.hit & (gather<Floats>(&first.lit, material) > 0.0f);
     const Floats up = 0.5f + 0.5f * s.n.y;
-    const Floats3 emissive = gather3(first.emissive, material, kStride);
+    const Floats3 emissive = gather3(first.emissive, material);
     const auto unshadowed = [&](const Floats& own, const Floats& base, int k) {
         const float ground = frame.ambientGround[k], sky = frame.ambientSky[k];
         return own + (lit ? base * (ground + (sky - ground) * up) : Floats{});
