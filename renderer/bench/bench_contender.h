@@ -31,6 +31,11 @@ public:
     /// Why something was not done as its name says, each once; empties itself.
     std::set<std::string> takeNotes() { return std::exchange(notes_, {}); }
 
+    /// A frame with samples, for the judge; not timed.
+    virtual FramePixels samples(int frame) = 0;
+    /// That made the last samples; null: not a renderer.
+    virtual const FrameRenderer* renderer() const { return nullptr; }
+
     // Medians; none where there is no such thing.
     virtual std::optional<double> pass(Counter) const { return std::nullopt; }  // milliseconds
     virtual std::optional<double> edges() const { return std::nullopt; }        // looked at in a frame
@@ -46,10 +51,12 @@ protected:
 };
 
 /// @param technique  null: without shadows
-std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const Technique* technique,
+/// @param passes  also times passes, in frames of their own
+std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const Technique* technique, bool passes,
                                         const gpu::Context& context);
 
-/// The tracer and, after it, the tracer without shadows: they share what they trace.
-std::array<std::unique_ptr<Contender>, 2> makeTracers(const BenchScene& scene);
+/// The tracer without shadows and, after it, with each of the offsets (TracerSettings), or with its own where there are
+/// none. They share what they trace.
+std::vector<std::unique_ptr<Contender>> makeTracers(const BenchScene& scene, const std::vector<double>& offsets);
 
 }  // namespace umbrage

@@ -52,8 +52,9 @@ struct Bench {
     std::filesystem::path file;
     std::vector<std::string> measure{"times"};
     std::vector<BenchSequence> sequences;
-    std::vector<Technique> techniques;  // none: each sequence's own
-    bool tracer = false;                // constant colours, so that it can take part
+    std::vector<Technique> techniques;                          // none: each sequence's own
+    bool tracer = false;                                        // constant colours, so that it can take part
+    std::vector<double> offsets{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};  // of the tracer, for error
     int rounds = 5;
     std::optional<std::array<int, 2>> size;  // instead of each sequence's
     std::vector<BenchPicture> pictures;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "bench/bench_contender.h"
+#include "bench/bench_race.h"
 #include "diagnostics/median.h"
 #include "report/statistics_compare.h"
 
@@ -14,15 +14,6 @@ namespace {
 
 constexpr std::array<Counter, 6> kPasses = {"time.position", "time.gbuffer", "time.silhouettes",
                                             "time.counts",   "time.resolve", "time.readback"};
-
-/// What is compared with each other.
-struct Race {
-    struct Pair {
-        const Contender *shadowed, *bare;
-    };
-    std::vector<Pair> rows;
-    std::optional<Pair> tracer;  // also one of the rows
-};
 
 /// @param tracer  with those that need it
 std::vector<BenchColumn> columns(bool tracer) {
@@ -58,10 +49,6 @@ BenchCell cell(const std::optional<double>& number) {
     return number ? BenchCell(*number) : BenchCell();
 }
 
-double shadowsOf(const Race::Pair& pair) {
-    return median(pair.shadowed->milliseconds()) - median(pair.bare->milliseconds());
-}
-
 BenchCell ratio(double value, double to) {
     return to > 0.0 ? BenchCell(value / to) : BenchCell();
 }
@@ -74,14 +61,14 @@ std::vector<BenchCell> rowOf(const Race& race, const Race::Pair& pair, std::size
     std::vector<BenchCell> row{contender.scene().sequence.name, contender.name(), frame};
     row.push_back(interval ? BenchCell(interval->first) : BenchCell());
     row.push_back(interval ? BenchCell(interval->second) : BenchCell());
-    row.insert(row.end(), {median(pair.bare->milliseconds()), shadowsOf(pair)});
+    row.insert(row.end(), {median(pair.bare->milliseconds()), pair.shadowsMilliseconds()});
     for (const Counter pass : kPasses) row.push_back(cell(contender.pass(pass)));
     const std::optional<double> silhouettes = contender.pass("time.silhouettes"), edges = contender.edges();
     row.push_back(edges && silhouettes ? ratio(1e-3 * *edges, *silhouettes) : BenchCell());
     row.insert(row.end(), {1000.0 / frame, contender.coldMilliseconds()});
     row.insert(row.end(), {cell(contender.buildMilliseconds()), cell(contender.refitMilliseconds())});
     if (race.tracer) {
-        row.push_back(ratio(shadowsOf(pair), shadowsOf(*race.tracer)));
+        row.push_back(ratio(pair.shadowsMilliseconds(), race.tracer->shadowsMilliseconds()));
         row.push_back(ratio(frame, median(race.tracer->shadowed->milliseconds())));
     }
     row.resize(columnCount);
@@ -97,46 +84,9 @@ BenchTable measureTimes(const Bench& bench, const BenchScenes& scenes, const gpu
     const auto traced = [&](const BenchScene* scene) { return bench.tracerFor(scene->sequence); };
     BenchTable table{"times", "Times", columns(std::ranges::any_of(scenes, traced)), {}, {}};
     table.remarks.push_back(fmt::format("{} rounds; passes by {}, frames by the wall's clock.", bench.rounds, clock));
-    std::vector<std::unique_ptr<Contender>> contenders;
-    std::vector<Race> races;  // one a sequence
-    const std::size_t count = scenes.size() * (1 + std::max<std::size_t>(1, bench.techniques.size())) +
-                              2 * std::size_t(std::ranges::count_if(scenes, traced));
-    observer.started(count * std::size_t(bench.rounds + 2), "times");
-    for (const BenchScene* each : scenes) {
-        const BenchScene& scene = *each;
-        std::vector<Technique> techniques = bench.techniques;
-        if (techniques.empty()) techniques = {techniqueOf(scene.job)};
-        const auto enter = [&](std::unique_ptr<Contender> contender) {
-            contenders.push_back(std::move(contender));
-            observer.advanced(fmt::format("{} {}: set up", scene.sequence.name, contenders.back()->name()));
-            return contenders.back().get();
-        };
-        Race& race = races.emplace_back();
-        const Contender* bare = enter(makeRenderer(scene, nullptr, context));
-        for (const Technique& technique : techniques) {
-            if (interrupted) return table;
-            race.rows.push_back({enter(makeRenderer(scene, &technique, context)), bare});
-        }
-        if (!traced(each)) continue;
-        auto [tracer, bareTracer] = makeTracers(scene);
-        race.tracer = Race::Pair{enter(std::move(tracer)), enter(std::move(bareTracer))};
-        race.rows.push_back(*race.tracer);
-    }
-    for (int round = 0; round <= bench.rounds; ++round) {
-        for (const auto& contender : contenders) {
-            if (interrupted) return table;
-            contender->run(round > 0);
-            const std::string who = contender->scene().sequence.name + " " + contender->name();
-            if (round == 0) {
-                for (const std::string& note : contender->takeNotes()) {
-                    table.remarks.push_back(fmt::format("{}: {}.", who, note));
-                }
-            }
-            observer.advanced(fmt::format("{}: round {}", who, round));
-        }
-        std::reverse(contenders.begin(), contenders.end());
-    }
-    for (const Race& race : races) {
+    Races races(bench, scenes, {.passes = true, .offsets = {}}, "times", context, observer);
+    if (!races.run(table.remarks, interrupted)) return table;
+    for (const Race& race : races.all()) {
         for (const Race::Pair& pair : race.rows) table.rows.push_back(rowOf(race, pair, table.columns.size()));
     }
     return table;

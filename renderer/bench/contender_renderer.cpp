@@ -11,7 +11,7 @@ namespace {
 
 class RendererContender : public Contender {
 public:
-    RendererContender(const BenchScene& scene, const Technique* technique, const gpu::Context& context)
+    RendererContender(const BenchScene& scene, const Technique* technique, bool passes, const gpu::Context& context)
         : Contender(scene, technique ? technique->name() : "without shadows") {
         FrameSettings settings = settingsOf(scene.job, scene.composition);
         settings.shadows = technique != nullptr;
@@ -19,9 +19,9 @@ public:
         if (technique) choose(*technique, settings);
         const Stopwatch watch;
         plain_ = scene.renderer(settings, context);
-        render(*plain_, scene.frames.front());
+        render(*plain_, scene.frames.front(), {});
         coldMilliseconds_ = watch.milliseconds();
-        if (!technique) return;
+        if (!technique || !passes) return;
         settings.profile = true;  // passes are waited for, so the frame's own time is measured without
         profiled_ = scene.renderer(settings, context);
     }
@@ -29,15 +29,22 @@ public:
     void run(bool counted) override {
         for (const int frame : scene_.frames) {
             const Stopwatch watch;
-            render(*plain_, frame);
+            render(*plain_, frame, {});
             const double whole = watch.milliseconds();
             if (counted) milliseconds_.push_back(whole);
             if (!profiled_) continue;
-            for (const auto& [pass, time] : render(*profiled_, frame).milliseconds) {
+            for (const auto& [pass, time] : render(*profiled_, frame, {}).milliseconds) {
                 if (counted) passes_[pass].push_back(time);
             }
         }
     }
+
+    FramePixels samples(int frame) override {
+        FrameOutputs outputs;
+        outputs.samples = true;
+        return render(*plain_, frame, outputs);
+    }
+    const FrameRenderer* renderer() const override { return plain_.get(); }
 
     std::optional<double> pass(Counter counter) const override {
         const auto found = passes_.find(counter.index());
@@ -54,10 +61,10 @@ public:
     }
 
 private:
-    FramePixels render(FrameRenderer& renderer, int frame) {
+    FramePixels render(FrameRenderer& renderer, int frame, const FrameOutputs& outputs) {
         Statistics unused;
         const PlacedMoment now = scene_.at(frame);
-        FramePixels pixels = renderer.render(now.moment, now.camera, {}, frame, unused);
+        FramePixels pixels = renderer.render(now.moment, now.camera, outputs, frame, unused);
         notes_.insert(pixels.notes.begin(), pixels.notes.end());
         return pixels;
     }
@@ -68,9 +75,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const Technique* technique,
+std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const Technique* technique, bool passes,
                                         const gpu::Context& context) {
-    return std::make_unique<RendererContender>(scene, technique, context);
+    return std::make_unique<RendererContender>(scene, technique, passes, context);
 }
 
 }  // namespace umbrage

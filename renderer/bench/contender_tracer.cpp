@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "bench/bench_contender.h"
 #include "bench/stopwatch.h"
 #include "bench/tracer.h"
@@ -13,7 +17,10 @@ public:
     explicit TracedSequence(const BenchScene& scene)
         : scene_(scene),
           geometry_(scene.composition.scene, scene.at(scene.frames.front()).moment),
-          traced_(scene.composition.scene) {}
+          traced_(scene.composition.scene) {
+        goTo(scene.frames.front());
+        setUpMilliseconds_ = watch_.milliseconds();
+    }
 
     /// Goes to a frame: afterwards its hierarchy is the frame's.
     void goTo(int frame) {
@@ -25,12 +32,15 @@ public:
         builds_.push_back(traced_.build());
     }
 
+    double setUpMilliseconds() const { return setUpMilliseconds_; }
     const TracerScene& traced() const { return traced_; }
     const std::vector<double>& builds() const { return builds_; }
     const std::vector<double>& refits() const { return refits_; }
 
 private:
+    Stopwatch watch_;  // first: it times what follows
     const BenchScene& scene_;
+    double setUpMilliseconds_ = 0.0;
     Geometry geometry_;
     TracerScene traced_;
     std::vector<double> builds_, refits_;
@@ -42,15 +52,16 @@ std::optional<double> medianOf(const std::vector<double>& values) {
 
 class TracerContender : public Contender {
 public:
-    TracerContender(const BenchScene& scene, std::shared_ptr<TracedSequence> traced, bool shadows)
-        : Contender(scene, shadows ? "tracer" : "tracer without shadows"),
-          sequence_(std::move(traced)),
-          tracer_(sequence_->traced(), settingsFor(scene, shadows)) {
+    TracerContender(const BenchScene& scene, std::string name, std::shared_ptr<TracedSequence> traced,
+                    const TracerSettings& settings)
+        : Contender(scene, std::move(name)), sequence_(std::move(traced)), tracer_(sequence_->traced(), settings) {
+        const Stopwatch watch;
         const auto blends = [](const Material& m) { return m.alphaMode == AlphaMode::Blend; };
-        if (shadows && std::ranges::any_of(scene.composition.scene.materials, blends)) {
+        if (settings.shadows && std::ranges::any_of(scene.composition.scene.materials, blends)) {
             notes_.insert("blended surfaces are left out");
         }
         frame(scene.frames.front());
+        coldMilliseconds_ = sequence_->setUpMilliseconds() + watch.milliseconds();
     }
 
     void run(bool counted) override {
@@ -60,19 +71,16 @@ public:
         }
     }
 
-    /// With what it took until then.
-    void setCold(double milliseconds) { coldMilliseconds_ = milliseconds; }
+    FramePixels samples(int frame) override {
+        sequence_->goTo(frame);
+        const PlacedMoment now = scene_.at(frame);
+        return tracer_.traceSamples(now.moment, now.camera);
+    }
 
     std::optional<double> buildMilliseconds() const override { return medianOf(sequence_->builds()); }
     std::optional<double> refitMilliseconds() const override { return medianOf(sequence_->refits()); }
 
 private:
-    static TracerSettings settingsFor(const BenchScene& scene, bool shadows) {
-        TracerSettings settings = tracerSettings(settingsOf(scene.job, scene.composition));
-        settings.shadows = shadows;
-        return settings;
-    }
-
     /// Like the renderer's, its time begins with the moment's evaluation.
     double frame(int number) {
         sequence_->goTo(number);
@@ -88,12 +96,22 @@ private:
 
 }  // namespace
 
-std::array<std::unique_ptr<Contender>, 2> makeTracers(const BenchScene& scene) {
-    const Stopwatch watch;
+std::vector<std::unique_ptr<Contender>> makeTracers(const BenchScene& scene, const std::vector<double>& offsets) {
     const auto traced = std::make_shared<TracedSequence>(scene);
-    auto tracer = std::make_unique<TracerContender>(scene, traced, true);
-    tracer->setCold(watch.milliseconds());
-    return {std::move(tracer), std::make_unique<TracerContender>(scene, traced, false)};
+    TracerSettings settings = tracerSettings(settingsOf(scene.job, scene.composition));
+    std::vector<std::unique_ptr<Contender>> made;
+    const auto enter = [&](std::string name) {
+        made.push_back(std::make_unique<TracerContender>(scene, std::move(name), traced, settings));
+    };
+    settings.shadows = false;
+    enter("tracer without shadows");
+    settings.shadows = true;
+    if (offsets.empty()) enter("tracer");
+    for (const double offset : offsets) {
+        settings.offset = float(offset);
+        enter(fmt::format("tracer {:g}", offset));
+    }
+    return made;
 }
 
 }  // namespace umbrage

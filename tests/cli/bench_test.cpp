@@ -59,6 +59,28 @@ TEST_F(BenchCommand, TimesTheTracerBesideTechniques) {
     EXPECT_FALSE(rows[2].contains("frame.ratio"));
 }
 
+TEST_F(BenchCommand, PlotsRunTimeAgainstError) {
+    writeSequence();
+    writeFile("bench.yaml",
+              "bench: 1\nrounds: 1\ntracer: true\nmeasure: [error]\noffsets: [0, 1.0e-4]\n"
+              "techniques: [\"compute:z-pass\"]\nsequences: [{file: seq.yaml}]\n");
+    const Result result = umbrage({"bench", "bench.yaml", "--json", "made/b.json", "--out", "made"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(filesIn("made"), testing::IsSupersetOf({"error-seq.png", "error-seq.svg"}));
+    const Json file = json("made/b.json");
+    const Json rows = file["measurements"][0]["rows"];
+    ASSERT_THAT(rows, SizeIs(3));
+    EXPECT_EQ(rows[0]["technique"], "compute:z-pass");
+    EXPECT_EQ(rows[0]["hard"], 0.0);
+    EXPECT_GT(rows[0]["lit"].get<double>(), 100.0);
+    EXPECT_EQ(rows[1]["technique"], "tracer 0");
+    EXPECT_GT(rows[1]["hard"].get<double>(), 0.0);
+    EXPECT_EQ(rows[2]["technique"], "tracer 0.0001");
+    const Json plot = file["plots"]["error-seq"]["series"];
+    EXPECT_EQ(plot["tracer 0"][0][1], rows[1]["wrong.million"]);
+    EXPECT_FALSE(plot["Pareto front"].empty());
+}
+
 TEST_F(BenchCommand, CountsTilesAndDrawsThem) {
     writeSequence();
     writeFile("bench.yaml",
