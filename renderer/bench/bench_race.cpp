@@ -2,6 +2,7 @@
 #include "bench/bench_race.h"
 
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 
@@ -47,9 +48,15 @@ bool Races::setUp(const BenchScene& scene, const std::atomic<bool>& interrupted)
 
 bool Races::run(std::vector<std::string>& remarks, const std::atomic<bool>& interrupted) {
     std::size_t count = 0;
+    const auto traced = [&](const BenchScene* scene) { return bench_.tracerFor(scene->sequence); };
     for (const BenchScene* scene : scenes_) {
         count += 1 + std::max<std::size_t>(1, bench_.techniques.size());
-        if (bench_.tracerFor(scene->sequence)) count += 1 + std::max<std::size_t>(1, wishes_.offsets.size());
+        if (traced(scene)) count += 1 + std::max<std::size_t>(1, wishes_.offsets.size());
+    }
+    if (std::ranges::any_of(scenes_, traced)) {
+        remarks.push_back(fmt::format(
+            "The tracer has {} threads; placing its triangles and making its hierarchy are no part of its frames.",
+            tbb::this_task_arena::max_concurrency()));
     }
     observer_.started(count * std::size_t(bench_.rounds + 2), what_);
     for (const BenchScene* scene : scenes_) {

@@ -20,6 +20,10 @@ public:
           traced_(scene.composition.scene) {
         goTo(scene.frames.front());
         setUpMilliseconds_ = watch_.milliseconds();
+        const auto blends = [](const Material& m) { return m.alphaMode == AlphaMode::Blend; };
+        if (std::ranges::any_of(scene.composition.scene.materials, blends)) {
+            notes_.insert("blended surfaces are left out");
+        }
     }
 
     /// Goes to a frame: afterwards its hierarchy is the frame's.
@@ -32,6 +36,8 @@ public:
         builds_.push_back(traced_.build());
     }
 
+    /// For the first contender that asks.
+    std::set<std::string> takeNotes() { return std::exchange(notes_, {}); }
     double setUpMilliseconds() const { return setUpMilliseconds_; }
     const TracerScene& traced() const { return traced_; }
     const std::vector<double>& builds() const { return builds_; }
@@ -44,6 +50,7 @@ private:
     Geometry geometry_;
     TracerScene traced_;
     std::vector<double> builds_, refits_;
+    std::set<std::string> notes_;
 };
 
 std::optional<double> medianOf(const std::vector<double>& values) {
@@ -56,10 +63,7 @@ public:
                     const TracerSettings& settings)
         : Contender(scene, std::move(name)), sequence_(std::move(traced)), tracer_(sequence_->traced(), settings) {
         const Stopwatch watch;
-        const auto blends = [](const Material& m) { return m.alphaMode == AlphaMode::Blend; };
-        if (settings.shadows && std::ranges::any_of(scene.composition.scene.materials, blends)) {
-            notes_.insert("blended surfaces are left out");
-        }
+        if (settings.shadows) notes_ = sequence_->takeNotes();
         frame(scene.frames.front());
         coldMilliseconds_ = sequence_->setUpMilliseconds() + watch.milliseconds();
     }
