@@ -131,7 +131,7 @@ void judgeRandom(const Sequence& random, const VerifyCommandOptions& options, co
 void judge(const Sequence& sequence, const VerifyCommandOptions& options, const VerifyOptions& common,
            const gpu::Context& context, VerifyReport& report, Progress& progress,
            const std::atomic<bool>& interrupted) {
-    const Job& job = *sequence.job;
+    const Job job = chosenFor(*sequence.job, context.info());
     const auto display =
         codec().displayTransform({job.color.config, job.color.display, job.color.view, job.color.exposureStops});
     VerifyOptions own = common;

@@ -107,18 +107,19 @@ void noteProvenance(const Job& job, const std::vector<int>& frames, const Proven
 
 }  // namespace
 
-BatchSummary runBatch(const Job& job, const BatchOptions& options, BatchObserver& observer,
+BatchSummary runBatch(const Job& asked, const BatchOptions& options, BatchObserver& observer,
                       const std::atomic<bool>& interrupted) {
     const Clock::time_point start = Clock::now();
     const std::future<void> prefetch = prefetchCodec();
     BatchSummary summary;
 
-    const Composition composition = compose(job, gltfOptionsOf(options));
-    const FrameRange range = framesOf(job, composition);
+    const Composition composition = compose(asked, gltfOptionsOf(options));
+    const FrameRange range = framesOf(asked, composition);
     const std::vector<int>& frames = range.frames();
     summary.requested = frames.size();
-    summary.images = imagesOf(job, frames);
+    summary.images = imagesOf(asked, frames);
     const gpu::Context context(options.device);
+    const Job job = chosenFor(asked, context.info());
     const Moment first = evaluate(composition.scene, composition.animations, frameSeconds(job, frames.front()));
     FrameMaker maker(job, composition, first, context);
     const FrameOutputs& outputs = maker.outputs();

@@ -151,11 +151,13 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
 CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame) {
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
     silhouettes.casters.clearToZero();
-    gbuffer.depthOnly.bind();
-    surfaces.findExposed(geometry, materials, silhouettes.casters);
-    silhouettes.hostCasters.resize(geometry.instanceCount());
-    silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
-                             silhouettes.hostCasters.data());
+    silhouettes.hostCasters.assign(geometry.instanceCount(), {});
+    if (settings.shadows && !tiles) {  // which looks at single triangles instead
+        gbuffer.depthOnly.bind();
+        surfaces.findExposed(geometry, materials, silhouettes.casters);
+        silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
+                                 silhouettes.hostCasters.data());
+    }
     CountSettings found;
     found.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
     found.halve = halve;
@@ -163,7 +165,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     modelBounds = geometry.modelBounds();
     boxes = worldBounds(geometry, modelBounds);
     const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
-    found.holed = surfaces.holed();
+    found.holed = tiles ? std::vector<bool>(geometry.instanceCount()) : surfaces.holed();
     std::vector<std::string> ids;
     std::vector<double> rangesMetres;
     for (const PlacedLight* light : lights) {
@@ -173,7 +175,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     counts.begin({geometry, modelBounds, eye, shadowLights, rangesMetres}, frame, std::move(ids));
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
-        if (nearer[i]) silhouettes.hostCasters[i].missing = 1;
+        if (nearer[i] && !tiles) silhouettes.hostCasters[i].missing = 1;
         whole[i] = found.holed[i] || silhouettes.hostCasters[i].missing != 0 || counts.countsWhole(std::uint32_t(i));
     }
     geometry.setWhole(whole);
@@ -218,6 +220,7 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
     begin("time.silhouettes");
     const bool halve = settings.halveEvenComponents && !outputs.counts;
     const CountSettings countSettings = findCasters(halve, lights, frame);
+    if (tiles || technique->onHost()) silhouettes.hostTriangles.update(geometry);
     masks->clear();
     parts.clear();
     std::vector<DepthSample> seen;
@@ -239,10 +242,15 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
                 parts.insert(parts.end(), casterParts->chosen().begin(), casterParts->chosen().end());
             }
         }
-        findSilhouettes(*technique, geometry, group, byFail, {halve, outputs.figures, counts.withEyeConstant(group)},
-                        silhouettes);
+        findSilhouettes(
+            *technique, geometry, group, byFail,
+            {settings.shadows || outputs.figures, halve, outputs.figures, tiles ? 0u : counts.withEyeConstant(group)},
+            silhouettes);
         if (!settings.shadows || group.count == 0) continue;
-        const std::vector<std::uint32_t> layers = layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
+        // The tile counter's own counts have no bound.
+        const std::vector<std::uint32_t> layers = tiles
+                                                      ? std::vector<std::uint32_t>(group.count)
+                                                      : layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
         std::vector<std::vector<CountPlan>> plans;
         begin("time.counts");
         for (std::uint32_t l = 0; l < group.count; ++l) {
@@ -250,17 +258,19 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
             plans.push_back(
                 counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry));
         }
-        std::vector<std::vector<CountPlan>> onDevice = plans;
-        if (tiles) tiles->count(onDevice, geometry, silhouettes, group, {gbuffer, *masks, resolve, eye});
+        if (tiles) {
+            tiles->count(plans, geometry, silhouettes, group, {gbuffer, *masks, resolve, eye}, outputs.counts);
+        }
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
             LightPlanes& planes = planesOf(lights[first + l]);
-            for (const CountPlan& plan : onDevice[l]) {
+            if (tiles && outputs.counts) addCounts(tiles->readCounts(l), true, planes);
+            for (std::size_t p = 0; !tiles && p < plans[l].size(); ++p) {
+                const CountPlan& plan = plans[l][p];
                 masks->count(plan, volumes, geometry, silhouettes, group, l);
                 const gpu::Uncounted uncounted;
                 if (outputs.counts) addCounts(masks->readCounts(plan), plan.wide, planes);
             }
-            if (tiles && outputs.counts) addCounts(tiles->readCounts(l), true, planes);
             profiler.pass(gpu::Profiler::kNoPass);
             if (VolumeDiagnostics::wanted(outputs)) {
                 diagnostics.light(std::move(plans[l]), group, l, shining[first + l], halve, planes, recorder);

@@ -39,7 +39,7 @@ public:
     /// Whether volumes of a light of the frame end behind all that it shines on.
     /// @param skips  where that is left to the skip (T2)
     bool endsVolumes(std::uint32_t light, bool skips) const {
-        return of(light).endMetres() == 0.0 && (skips || of(light).endsVolumes());
+        return of(light).endMetres() == 0.0 && (skips || of(light).endsVolumes()) && !byTiles();
     }
 
     /// Of a light of the group that was swept last.

@@ -24,10 +24,17 @@ std::vector<Technique> allTechniques() {
     return all;
 }
 
+Job chosenFor(Job job, const gpu::DeviceInfo& device) {
+    std::string &silhouette = job.shadow.silhouette, &count = job.shadow.count;
+    // On a device that is a processor itself, host code without a rasteriser between is several times faster.
+    if (silhouette == "auto") silhouette = device.software ? "cpu" : "compute";
+    if (count == "auto") count = device.software && canPair(silhouette, "tiles") ? "tiles" : "z-pass";
+    return job;
+}
+
 Technique techniqueOf(const Job& job) {
-    // Until there is a cost model, auto is what is fastest on every device measured so far.
-    const auto chosen = [](const std::string& name, const char* automatic) {
-        return name == "auto" ? std::string(automatic) : name;
+    const auto chosen = [](const std::string& name, const char* otherwise) {
+        return name == "auto" ? otherwise : name;
     };
     return {chosen(job.shadow.silhouette, "compute"), chosen(job.shadow.count, "z-pass")};
 }

@@ -25,7 +25,10 @@ struct Technique {
 /// Those of techniqueNames().
 std::vector<Technique> allTechniques();
 
-/// The job's, with `auto` resolved.
+/// The job with the fastest exact technique on a device where it says `auto`.
+Job chosenFor(Job job, const gpu::DeviceInfo& device);
+
+/// The job's; where it still says `auto`, what every device can.
 Technique techniqueOf(const Job& job);
 
 /// What the overlay `techniques` compares it with: the job's choice, or the same silhouettes counted the other way.

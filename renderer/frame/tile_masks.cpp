@@ -6,11 +6,11 @@
 
 namespace umbrage {
 
-SeenTiles TileMasks::see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample) const {
-    const SeenSample read = target.resolve.readSeen(target.gbuffer, target.masks, silhouettes, sample, eye.sample);
+void TileMasks::see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample) {
+    target.resolve.readSeen(target.gbuffer, target.masks, silhouettes, sample, eye.sample, read_);
     SeenPicture picture;
-    picture.triangles = read.triangles;
-    picture.depths = read.depths;
+    picture.triangles = read_.triangles;
+    picture.depths = read_.depths;
     picture.noTriangle = NO_TRIANGLE;
     picture.emptyDepth = target.eye.emptyDepth();
     const double sceneDepths = 1.0 - target.eye.ledge, range = target.eye.zfar - target.eye.znear;
@@ -18,57 +18,46 @@ SeenTiles TileMasks::see(const Silhouettes& silhouettes, const Target& target, c
     picture.depthOffset = target.eye.perspective ? 0.0 : -target.eye.zfar;
     picture.planes = lights_.planes();
     picture.facing = lights_.facing();
-    SeenTiles seen(eye.width, eye.height);
-    seen.set(picture, eye);
-    return seen;
+    if (!seen_) seen_.emplace(eye.width, eye.height);
+    seen_->set(picture, eye);
 }
 
-void TileMasks::count(std::vector<std::vector<CountPlan>>& plans, const Geometry& geometry,
-                      const Silhouettes& silhouettes, const LightGroup& group, const Target& target) {
-    std::vector<std::vector<CountPlan>> taken(plans.size());
-    for (std::size_t l = 0; l < plans.size(); ++l) {
-        const auto ours =
-            std::ranges::partition(plans[l], [](const CountPlan& plan) { return !TileLights::takes(plan); });
-        taken[l].assign(std::make_move_iterator(ours.begin()), std::make_move_iterator(ours.end()));
-        plans[l].erase(ours.begin(), ours.end());
-    }
-    seen_.clear();
-    counted_.clear();
-    if (std::ranges::all_of(taken, [](const auto& of) { return of.empty(); })) return;
+void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geometry& geometry,
+                      const Silhouettes& silhouettes, const LightGroup& group, const Target& target, bool everyPixel) {
     if (!ties_) ties_ = gpu::findSampleTies();
     lights_.begin(geometry, silhouettes, group);
     const int width = target.gbuffer.width(), height = target.gbuffer.height();
     const std::vector<glm::vec2> positions = target.gbuffer.samplePositions();
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
-    std::vector<std::uint32_t> dark(pixels * positions.size());
+    dark_.resize(pixels * positions.size());
+    // The first sample last: readCounts() is about it.
     for (std::size_t s = positions.size(); s-- > 0;) {
         const TileEye eye{width,
                           height,
                           target.eye.rayScale,
                           target.eye.perspective,
+                          target.eye.znear,
                           positions[s],
                           glm::dvec2(ties_->right, ties_->down)};
+        const TileScene scene{geometry, silhouettes, group, eye};
+        see(silhouettes, target, eye, int(s));
+        if (everyPixel) seen_->lightAll();
+        lights_.findExposed(scene, *seen_, counter_);
         counted_.clear();
-        for (std::uint32_t l = 0; l < taken.size(); ++l) {
-            if (!taken[l].empty()) counted_.push_back(lights_.light(taken[l], geometry, silhouettes, group, l, eye));
-        }
-        seen_.assign(1, see(silhouettes, target, eye, int(s)));
-        seen_[0].toRows(counter_.count(seen_[0], counted_).data(), dark.data() + s * pixels);
+        for (std::uint32_t l = 0; l < plans.size(); ++l) counted_.push_back(lights_.light(plans[l], scene, l));
+        seen_->toRows(counter_.count(*seen_, counted_).data(), dark_.data() + s * pixels);
     }
     if (positions.size() == 1) {
-        target.masks.upload(group.first / LIGHTS_PER_GROUP, dark);
+        target.masks.upload(group.first / LIGHTS_PER_GROUP, dark_);
     } else {
-        target.masks.set(group.first / LIGHTS_PER_GROUP, dark);
+        target.masks.set(group.first / LIGHTS_PER_GROUP, dark_);
     }
 }
 
 std::vector<std::uint32_t> TileMasks::readCounts(std::uint32_t l) {
-    const auto light = std::ranges::find(counted_, 1u << l, &TileLight::bit);
-    if (light == counted_.end()) return {};
-    SeenTiles& seen = seen_[0];
-    seen.lightAll();
+    const SeenTiles& seen = *seen_;
     std::vector<std::int32_t> rows(seen.pixelsOfPicture());
-    seen.toRows(counter_.countsOf(seen, *light).data(), rows.data());
+    seen.toRows(counter_.countsOf(seen, counted_[l]).data(), rows.data());
     std::vector<std::uint32_t> counts(rows.size());
     std::ranges::transform(rows, counts.begin(), [](std::int32_t count) { return std::uint32_t(std::abs(count)); });
     return counts;

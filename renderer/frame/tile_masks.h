@@ -19,22 +19,26 @@ public:
         Resolve& resolve;
         const Eye& eye;
     };
-    /// Takes what it can of a group's plans, per light, out of them, and counts it. Before anything else of the group
-    /// is counted, because it writes all bits of its masks.
-    void count(std::vector<std::vector<CountPlan>>& plans, const Geometry& geometry, const Silhouettes& silhouettes,
-               const LightGroup& group, const Target& target);
+    /// Counts a group of lights and writes its masks.
+    /// @param plans  per light
+    /// @param everyPixel  for readCounts(): also those that the lights cannot light
+    void count(std::span<const std::vector<CountPlan>> plans, const Geometry& geometry, const Silhouettes& silhouettes,
+               const LightGroup& group, const Target& target, bool everyPixel);
 
     /// Layers over the first sample of each pixel, of what count() took of light `l`; rows from the top. Empty if it
     /// took nothing.
     std::vector<std::uint32_t> readCounts(std::uint32_t l);
 
 private:
-    SeenTiles see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample) const;
+    void see(const Silhouettes& silhouettes, const Target& target, const TileEye& eye, int sample);
 
     std::optional<gpu::SampleTies> ties_;  // on first use
     TileLights lights_;
     TileCounter counter_;
-    std::vector<SeenTiles> seen_;  // these two of the first sample
+    // Kept from frame to frame: fresh memory costs more than what is done with it.
+    SeenSample read_;
+    std::vector<std::uint32_t> dark_;
+    std::optional<SeenTiles> seen_;  // these two of the first sample
     std::vector<TileLight> counted_;
 };
 

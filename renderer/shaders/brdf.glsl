@@ -21,7 +21,8 @@ vec3 reflectance(Shading s, vec3 l) {
     float distribution = a2 / (kPi * d * d);
     float visibility = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2));
     float specular = distribution * visibility;
-    float schlick = pow(1.0 - vh, 5.0);
+    float grazing = 1.0 - vh, squared = grazing * grazing;
+    float schlick = squared * squared * grazing;
     vec3 metal = specular * (s.baseColor + (1.0 - s.baseColor) * schlick);
     vec3 dielectric = mix(s.baseColor / kPi, vec3(specular), 0.04 + 0.96 * schlick);
     return mix(dielectric, metal, s.metallic) * nl;

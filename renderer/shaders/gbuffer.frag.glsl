@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// TEXTURES: which the material has, where that is known.
 // variant: ALPHA_TEST 1
+// variant: TEXTURES 5u
 #version 450 core
 #extension GL_GOOGLE_include_directive : require
 #ifdef ALPHA_TEST

@@ -34,7 +34,10 @@ vec2 uvOf(uint texture) {
     return vec2(dot(row0.xyz, uv), dot(row1.xyz, uv));
 }
 
-bool has(uint texture) { return (material.textures >> texture & 1u) != 0u; }
+#ifndef TEXTURES
+#define TEXTURES material.textures
+#endif
+bool has(uint texture) { return (TEXTURES >> texture & 1u) != 0u; }
 
 /// The front's normal n after the normal map. Without tangents in the file they come from screen-space derivatives of
 /// position and texture coordinates. The map's y axis points up, against v.

@@ -175,6 +175,12 @@ Materials::Materials(const Scene& scene) : materials_(scene.materials) {
     white_ = gpu::Texture("no texture", GL_RGBA8, {1, 1});
 }
 
+std::uint32_t Materials::texturesOf(std::uint32_t entry) const {
+    std::uint32_t bits = 0;
+    for (std::size_t u = 0; u < TEXTURE_COUNT; ++u) bits |= std::uint32_t(textureOf_[entry][u] >= 0) << u;
+    return bits;
+}
+
 void Materials::bind(std::uint32_t entry) const {
     buffer_.bindUniform(BIND_MATERIAL, entry * sizeof(gpu::MaterialData), sizeof(gpu::MaterialData));
     for (std::size_t u = 0; u < TEXTURE_COUNT; ++u) {

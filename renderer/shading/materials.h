@@ -16,6 +16,9 @@ public:
 
     const Material& material(std::uint32_t entry) const { return materials_[entry]; }
 
+    /// Bits of the textures that it has: 1 << TEXTURE_...
+    std::uint32_t texturesOf(std::uint32_t entry) const;
+
     /// Factors and textures, for the fragments of a primitive.
     void bind(std::uint32_t entry) const;
 

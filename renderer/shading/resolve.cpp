@@ -96,22 +96,22 @@ std::vector<gpu::uvec2> Resolve::readSample(const GBuffer& gbuffer, const Masks&
     return pixels;
 }
 
-SeenSample Resolve::readSeen(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes, int sample,
-                             const glm::vec2& position) {
+void Resolve::readSeen(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes, int sample,
+                       const glm::vec2& position, SeenSample& seen) {
     const int width = gbuffer.width(), height = gbuffer.height();
     const std::size_t pixels = std::size_t(width) * std::size_t(height), bytes = 4 * pixels;
-    SeenSample seen{std::vector<std::uint32_t>(pixels), std::vector<float>(pixels)};
+    seen.triangles.resize(pixels);
+    seen.depths.resize(pixels);
     if (gbuffer.samples() == 1) {
         const GLuint from = gbuffer.framebuffer.name();
         gpu::readPixels(from, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, seen.triangles.data());
         gpu::readPixels(from, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, bytes, seen.depths.data());
-        return seen;
+        return;
     }
     drawSample(seen_, gbuffer, masks, silhouettes, sample, position);
     const GLuint from = sample_.framebuffer().name();
     gpu::readPixels(from, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes, seen.triangles.data());
     gpu::readPixels(from, width, height, GL_GREEN_INTEGER, GL_UNSIGNED_INT, bytes, seen.depths.data());
-    return seen;
 }
 
 }  // namespace umbrage

@@ -50,8 +50,8 @@ public:
                                        int sample, const glm::vec2& position, std::uint32_t group);
 
     /// Triangle (NO_TRIANGLE: none) and depth of one sample of every pixel, rows from the top.
-    SeenSample readSeen(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes, int sample,
-                        const glm::vec2& position);
+    void readSeen(const GBuffer& gbuffer, const Masks& masks, const Silhouettes& silhouettes, int sample,
+                  const glm::vec2& position, SeenSample& seen);
 
 private:
     void drawSample(const gpu::Program& program, const GBuffer& gbuffer, const Masks& masks,

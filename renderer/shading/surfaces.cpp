@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shading/surfaces.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -87,8 +89,18 @@ void Surfaces::submit(const Draw& draw, const Geometry& geometry) const {
         GLint(geometry.instances()[draw.instance].vertexBase), draw.id);
 }
 
+const gpu::Program& Surfaces::gbufferProgram(std::uint32_t textures, bool masked) {
+    const auto [found, isNew] = gbufferPrograms_.try_emplace({textures, masked});
+    if (isNew) {
+        gpu::Program::Defines defines{fmt::format("TEXTURES {}u", textures)};
+        if (masked) defines.emplace_back("ALPHA_TEST 1");
+        found->second = gpu::Program("surface.vert", "gbuffer.frag", std::move(defines));
+    }
+    return found->second;
+}
+
 void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials) {
-    OpaquePass pass{&opaqueProgram_, &maskedProgram_};
+    OpaquePass pass;
     pass.state.depth = gpu::Depth::Nearer;
     pass.state.depthWrite = true;
     pass.state.color = gpu::ColorOp::Replace;
@@ -110,7 +122,9 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, 
             state.cull = material.doubleSided ? gpu::Cull::None : gpu::Cull::Back;
             state.frontIsClockwise = isClockwise;
             gpu::apply(state);
-            (material.alphaMode == AlphaMode::Mask ? pass.masked : pass.opaque)->use();
+            const bool masked = material.alphaMode == AlphaMode::Mask;
+            const gpu::Program* given = masked ? pass.masked : pass.opaque;
+            (given ? *given : gbufferProgram(materials.texturesOf(draw.material), masked)).use();
             bound = draw.material;
             boundClockwise = isClockwise;
         }

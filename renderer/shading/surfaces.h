@@ -2,6 +2,8 @@
 // The visible primitives: which draws there are, in which state, in which order.
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "gpu/objects.h"
@@ -23,9 +25,9 @@ public:
 
     /// The same primitives in the same order, by other programs into whatever is bound.
     struct OpaquePass {
-        const gpu::Program *opaque = nullptr, *masked = nullptr;
-        const gpu::VertexArray* vertices = nullptr;  // null: their own
-        gpu::RasterState state{};                    // but for culling
+        const gpu::Program *opaque = nullptr, *masked = nullptr;  // null: what the G-buffer needs
+        const gpu::VertexArray* vertices = nullptr;               // null: their own
+        gpu::RasterState state{};                                 // but for culling
     };
     void drawOpaque(const Geometry& geometry, const Materials& materials, const OpaquePass& pass);
 
@@ -61,8 +63,11 @@ private:
     std::vector<bool> holed_;
     gpu::Buffer drawBuffer_, drawIds_;
     gpu::VertexArray vertexArray_;
-    gpu::Program opaqueProgram_{"surface.vert", "gbuffer.frag"};
-    gpu::Program maskedProgram_{"surface.vert", "gbuffer.frag", {"ALPHA_TEST 1"}};
+    const gpu::Program& gbufferProgram(std::uint32_t textures, bool masked);
+
+    // One for each set of textures that a material has: llvmpipe runs both ways of a branch, so a texture that is not
+    // there would be read all the same: without it, the G-buffer takes half the time.
+    std::map<std::pair<std::uint32_t, bool>, gpu::Program> gbufferPrograms_;
     gpu::Program exposureProgram_{"surface.vert", "exposure.frag"};
     gpu::Program blendedProgram_{"surface.vert", "blended.frag"};
 };

@@ -13,6 +13,7 @@
 #include "gpu/program.h"
 #include "shadow/fault.h"
 #include "shadow/geometry.h"
+#include "shadow/host_triangles.h"
 #include "shadow/split_parts.h"
 
 namespace umbrage {
@@ -41,6 +42,8 @@ struct Silhouettes {
     std::uint32_t totalLights = 0, facingStride = 0;
     std::vector<std::array<glm::vec4, 6>> extents;  // faces of what each light of the group shines on, in view space
 
+    HostTriangles hostTriangles;  // up to date where something on the host asks for it
+
     SplitParts* parts = nullptr;  // where counts are made by parts: not owned
 
     std::uint32_t facingBase(const LightGroup& group) const { return group.first / LIGHTS_PER_GROUP * facingStride; }
@@ -53,6 +56,7 @@ inline std::uint32_t endOfVolume(const gpu::CasterState& caster, std::uint32_t l
 }
 
 struct SweepOptions {
+    bool edges = true;            // off: only facing bits and planes, for frames without shadows
     bool halve = true;            // LIST_HALVED gets one quad for two crossings, else both
     bool figures = false;         // also count lit triangles and silhouette edges
     std::uint32_t hazards = ~0u;  // bits of lights: for others nothing depends on an eye constant (T4)
@@ -81,6 +85,8 @@ public:
     virtual std::string_view name() const = 0;
     /// Whether a sweep fills Silhouettes::quads; else quads are found while they are drawn.
     virtual bool fillsLists() const { return true; }
+    /// Whether it reads Silhouettes::hostTriangles.
+    virtual bool onHost() const { return false; }
 
     /// One sweep over the triangles and edges. `casters` says which are counted by z-fail; the sweep adds hazards to
     /// it, and fills everything else. Lists that outgrow `capacity` are cut, but their counts are right.

@@ -40,6 +40,7 @@ void DeviceSilhouettes::sweep(const Geometry& geometry, const LightGroup& group,
     facing.uniform(0, geometry.triangleChunkCount());
     facing.dispatchGroups(geometry.triangleChunkCount());
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    if (!options.edges) return;
     sweepEdges(geometry, group, options, out);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     out.summaries.read(0, out.hostSummaries.size() * sizeof(gpu::LightSummary), out.hostSummaries.data());

@@ -13,7 +13,6 @@
 
 namespace umbrage {
 
-inline constexpr int kTileSize = 8, kBlockSize = 64;
 inline constexpr int kTilePixels = kTileSize * kTileSize, kBlockTiles = 64, kBlockPixels = kBlockTiles * kTilePixels;
 
 /// What a thread needs while it counts; of a row of blocks.
@@ -43,6 +42,7 @@ struct Band {
     const std::uint32_t* lit;  // bits of lights that what is seen may be lit by
     std::uint32_t* dark;       // gets the light's bit where the count is not zero
     std::int32_t* counts;      // of all pixels, if wanted; else null
+    std::uint8_t* touching;    // per polygon, if wanted: set where it changes some count
     BandScratch scratch;
     TileWork* work;  // is added to
 };

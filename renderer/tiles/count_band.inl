@@ -135,6 +135,7 @@ inline void bin(const Band& band, std::size_t firstPolygon, std::size_t endPolyg
     for (int block = 0; block < band.columns; ++block) s.listSizes[block] = 0;
     for (std::size_t k = firstPolygon; k < endPolygon; ++k) {
         const TilePolygon& polygon = band.polygons[k];
+        if ((polygon.rows >> (band.row < 63 ? band.row : 63) & 1u) == 0) continue;
         const OverSquares over[kTileFunctions]{
             {polygon, 0, kBlockSize}, {polygon, 1, kBlockSize}, {polygon, 2, kBlockSize}, {polygon, 3, kBlockSize}};
         for (int block = 0; block < band.columns; block += kLanes) {
@@ -148,6 +149,7 @@ inline void bin(const Band& band, std::size_t firstPolygon, std::size_t endPolyg
                 const int at = block + __builtin_ctz(touched.some);
                 s.lists[std::size_t(at) * BandScratch::kPolygonsAtOnce + s.listSizes[at]++] = std::uint32_t(k);
             }
+            if (touched.all != 0 && band.touching != nullptr) band.touching[k] = 1;
             for (; touched.all != 0; touched.all &= touched.all - 1) {
                 std::int32_t* counts = s.tileCounts + (block + __builtin_ctz(touched.all)) * kBlockTiles;
                 for (int v = 0; v < kBlockVectors; ++v)
@@ -159,19 +161,23 @@ inline void bin(const Band& band, std::size_t firstPolygon, std::size_t endPolyg
 }
 
 /// A polygon within a tile, pixel by pixel.
-inline void countPixels(const TilePolygon& polygon, const Floats (&pattern)[kTileFunctions], int column, int row,
-                        const float* depths, std::int32_t* counts) {
+/// @return  lanes that changed
+inline std::uint32_t countPixels(const TilePolygon& polygon, const Floats (&pattern)[kTileFunctions], int column,
+                                 int row, const float* depths, std::int32_t* counts) {
     Floats value[kTileFunctions];
     float down[kTileFunctions];
     for (int i = 0; i < kTileFunctions; ++i) {
         value[i] = pattern[i] + float(valueAt(polygon.functions[i], column, row));
         down[i] = 2.0f * float(polygon.functions[i].y);
     }
+    Ints any{};
     for (int v = 0; v < kTileVectors; ++v) {
         Ints changed = value[kTileBorders] + float(v) * down[kTileBorders] > load(depths + v * kLanes);
         for (int i = 0; i < kTileBorders; ++i) changed &= value[i] + float(v) * down[i] >= polygon.thresholds[i];
         store(counts + v * kLanes, load(counts + v * kLanes) + (changed & polygon.crossing));
+        any |= changed;
     }
+    return bitsOf(any);
 }
 
 inline void countBlock(const Band& band, int block) {
@@ -188,6 +194,7 @@ inline void countBlock(const Band& band, int block) {
             tiles[i] = float(valueAt(polygon.functions[i], left, top)) + pattern[i] * kTileSize;
         }
         std::uint64_t some = 0;
+        std::uint32_t changed = 0;
         for (int v = 0; v < kBlockVectors; ++v) {
             const int first = block * kBlockTiles + v * kLanes;
             Floats here[kTileFunctions];
@@ -195,6 +202,7 @@ inline void countBlock(const Band& band, int block) {
             const Touched touched = touch(here, over, load(s.tileFarthest + first), load(s.tileNearest + first));
             some |= std::uint64_t(touched.some) << (v * kLanes);
             if (touched.all == 0) continue;
+            changed = 1;
             for (int t = 0; t < kLanes; ++t) {
                 if ((touched.all >> t & 1u) != 0) s.tileCounts[first + t] += polygon.crossing;
             }
@@ -204,9 +212,10 @@ inline void countBlock(const Band& band, int block) {
         for (; some != 0; some &= some - 1) {
             const int tile = __builtin_ctzll(some);
             const std::size_t at = std::size_t(block * kBlockTiles + tile) * kTilePixels;
-            countPixels(polygon, pattern, left + tile % 8 * kTileSize, top + tile / 8 * kTileSize, band.depths + at,
-                        s.counts + at);
+            changed |= countPixels(polygon, pattern, left + tile % 8 * kTileSize, top + tile / 8 * kTileSize,
+                                   band.depths + at, s.counts + at);
         }
+        if (changed != 0 && band.touching != nullptr) band.touching[list[k]] = 1;
     }
 }
 

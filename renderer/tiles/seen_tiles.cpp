@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace umbrage {
 namespace {
@@ -26,7 +27,9 @@ SeenTiles::SeenTiles(int width, int height)
       columns_((width + kBlockSize - 1) / kBlockSize),
       rows_((height + kBlockSize - 1) / kBlockSize),
       depths_(std::size_t(columns_) * std::size_t(rows_) * kBlockPixels),
-      lit_(depths_.size()) {}
+      lit_(depths_.size()),
+      farthest_(depths_.size() / kTilePixels),
+      tileColumns_(columns_ * (kBlockSize / kTileSize)) {}
 
 template <class Visit>
 void SeenTiles::forTileRows(const Visit& visit) const {
@@ -67,10 +70,41 @@ void SeenTiles::set(const SeenPicture& picture, const TileEye& eye) {
             lit_[here + i] = (eye.perspective ? plane.w : plane.z) > 0.0f ? sides.x : sides.y;
         }
     });
+    findFarthest();
+}
+
+/// Once all pixels are set.
+void SeenTiles::findFarthest() {
+    tbb::parallel_for(0, columns_ * rows_, [&](int block) {
+        for (int tile = 0; tile < kBlockTiles; ++tile) {
+            const std::size_t first = std::size_t(block * kBlockTiles + tile) * kTilePixels;
+            float farthest = std::numeric_limits<float>::infinity();
+            for (std::size_t i = first; i < first + kTilePixels; ++i) {
+                if (lit_[i] != 0) farthest = std::min(farthest, depths_[i]);
+            }
+            const int x = block % columns_ * 8 + tile % 8, y = block / columns_ * 8 + tile / 8;
+            farthest_[std::size_t(y) * std::size_t(tileColumns_) + std::size_t(x)] = farthest;
+        }
+    });
+}
+
+bool SeenTiles::isBefore(const glm::dvec2& low, const glm::dvec2& high, float depth) const {
+    const auto tileAt = [](double pixel, int tiles) { return int(std::clamp(pixel / kTileSize, 0.0, tiles - 1.0)); };
+    if (high.x < 0.0 || high.y < 0.0 || low.x > width_ || low.y > height_) return false;
+    const int left = tileAt(low.x, tileColumns_), right = tileAt(high.x, tileColumns_);
+    const int tileRows = rows_ * (kBlockSize / kTileSize);
+    for (int y = tileAt(low.y, tileRows); y <= tileAt(high.y, tileRows); ++y) {
+        const float* row = &farthest_[std::size_t(y) * std::size_t(tileColumns_)];
+        for (int x = left; x <= right; ++x) {
+            if (depth > row[x]) return true;
+        }
+    }
+    return false;
 }
 
 void SeenTiles::lightAll() {
     std::ranges::fill(lit_, ~0u);
+    findFarthest();
 }
 
 template <class T>

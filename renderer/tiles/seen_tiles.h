@@ -38,6 +38,9 @@ public:
     const float* depths() const { return depths_.data(); }
     /// Bits of lights that what is seen faces; nothing beyond the picture's edges does.
     const std::uint32_t* lit() const { return lit_.data(); }
+    /// Whether something is before what is seen anywhere between two places of the picture: that any light may light.
+    bool isBefore(const glm::dvec2& low, const glm::dvec2& high, float depth) const;
+
     /// As if every light could light everything, for counts that are shown.
     void lightAll();
 
@@ -50,10 +53,13 @@ private:
     /// for each row of a tile, on several threads.
     template <class Visit>
     void forTileRows(const Visit& visit) const;
+    void findFarthest();
 
     int width_, height_, columns_, rows_;
     std::vector<float> depths_;
     std::vector<std::uint32_t> lit_;
+    std::vector<float> farthest_;  // in each tile, of what some light may light; rows of tiles from the top
+    int tileColumns_;
 };
 
 }  // namespace umbrage

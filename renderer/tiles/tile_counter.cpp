@@ -54,17 +54,24 @@ CountBand* countBandHere() {
 }
 
 const std::vector<std::uint32_t>& TileCounter::count(const SeenTiles& seen, std::span<const TileLight> lights) {
-    countAll(seen, lights, nullptr);
+    countAll(seen, lights, {});
     return dark_;
 }
 
 std::vector<std::int32_t> TileCounter::countsOf(const SeenTiles& seen, const TileLight& light) {
     std::vector<std::int32_t> counts(seen.pixelCount());
-    countAll(seen, {&light, 1}, counts.data());
+    countAll(seen, {&light, 1}, {counts.data(), nullptr});
     return counts;
 }
 
-void TileCounter::countAll(const SeenTiles& seen, std::span<const TileLight> lights, std::int32_t* counts) {
+std::vector<std::uint8_t> TileCounter::touching(const SeenTiles& seen, std::vector<TilePolygon> polygons) {
+    std::vector<std::uint8_t> touching(polygons.size());
+    const TileLight any{std::move(polygons), 0, ~0u};
+    countAll(seen, {&any, 1}, {nullptr, touching.data()});
+    return touching;
+}
+
+void TileCounter::countAll(const SeenTiles& seen, std::span<const TileLight> lights, const Wanted& wanted) {
     dark_.assign(seen.pixelCount(), 0);
     work_ = {};
     tbb::enumerable_thread_specific<Scratch> scratches([&] { return Scratch(seen.columns()); });
@@ -74,7 +81,8 @@ void TileCounter::countAll(const SeenTiles& seen, std::span<const TileLight> lig
         for (const TileLight& light : lights) {
             countBand_({light.polygons.data(), light.polygons.size(), light.start, light.bit, seen.columns(), row,
                         seen.depths() + first, seen.lit() + first, dark_.data() + first,
-                        counts ? counts + first : nullptr, scratch.get(), &scratch.work});
+                        wanted.counts ? wanted.counts + first : nullptr, wanted.touching, scratch.get(),
+                        &scratch.work});
         }
     });
     for (const Scratch& scratch : scratches) {

@@ -35,10 +35,17 @@ public:
     /// @param seen  all of whose pixels may be lit by it
     std::vector<std::int32_t> countsOf(const SeenTiles& seen, const TileLight& light);
 
+    /// Which polygons are before something that is seen and that any light may light: 1, else 0.
+    std::vector<std::uint8_t> touching(const SeenTiles& seen, std::vector<TilePolygon> polygons);
+
     const TileWork& work() const { return work_; }  // of the last count
 
 private:
-    void countAll(const SeenTiles& seen, std::span<const TileLight> lights, std::int32_t* counts);
+    struct Wanted {
+        std::int32_t* counts = nullptr;
+        std::uint8_t* touching = nullptr;
+    };
+    void countAll(const SeenTiles& seen, std::span<const TileLight> lights, const Wanted& wanted);
 
     CountBand* countBand_;
     std::vector<std::uint32_t> dark_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -39,29 +40,51 @@ bool zeroIsInside(const TileEye& eye, const PixelFunction& f) {
     return false;
 }
 
-/// To slopes between 1/2 and 1, by a power of two, which rounds nothing: floats hold it then.
+/// To slopes between 1 and 2, by a power of two, which rounds nothing: floats hold it then.
 PixelFunction scaled(const PixelFunction& f) {
+    constexpr std::uint64_t kExponent = 0x7ff, kBias = 0x3ff;
     const double slope = std::max(std::abs(f.x), std::abs(f.y));
-    if (slope == 0.0) return f;
-    int exponent = 0;
-    std::frexp(slope, &exponent);
-    return times(f, std::ldexp(1.0, -exponent));
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(slope) >> 52 & kExponent;
+    if (exponent == 0 || exponent >= 2 * kBias) return f;  // none, or nothing that a scene can mean
+    return times(f, std::bit_cast<double>((2 * kBias - exponent) << 52));
 }
 
 float marginOf(const TileEye& eye, const PixelFunction& f) {
     return float(kFloatRounding * (std::abs(f.x) * eye.width + std::abs(f.y) * eye.height + std::abs(f.c)));
 }
 
-/// Depth of the plane with normal n through p. @param k  n . p, for a perspective eye
+/// How far the eye is from a plane with normal n, in units of n: as computed, but with the sign that somebody else has
+/// decided, and then not so near that floats cannot hold what follows.
+double signedAs(int sign, double distance, const dvec3& n) {
+    if (sign == 0) return distance;
+    return sign * std::max(std::abs(distance), 1e-25 * length(n));
+}
+
+/// Depth of the plane with normal n through p. @param k  n . p for a perspective eye, -n.z for an orthographic one
 PixelFunction depthOf(const TileEye& eye, const dvec3& n, const dvec3& p, double k) {
     if (eye.perspective) return times(alongRays(eye, n), 1.0 / k);
-    PixelFunction depth = alongRays(eye, {-n.x / n.z, -n.y / n.z, 0.0});
-    depth.c += dot(n, p) / n.z;
+    PixelFunction depth = alongRays(eye, {n.x / k, n.y / k, 0.0});
+    depth.c -= dot(n, p) / k;
     return depth;
 }
 
 bool missesPicture(const TileEye& eye, const PixelFunction& f) {
     return std::max(f.x, 0.0) * eye.width + std::max(f.y, 0.0) * eye.height + f.c < 0.0;
+}
+
+/// See TilePolygon::rows.
+std::uint64_t rowsOf(const TileEye& eye, const TilePolygon& polygon) {
+    const int count = (eye.height + kBlockSize - 1) / kBlockSize;
+    std::uint64_t rows = ~std::uint64_t(0);
+    for (int i = 0; i < kTileBorders; ++i) {
+        const PixelFunction& f = polygon.functions[i];
+        double most = f.c + std::max(f.x, 0.0) * eye.width + std::max(f.y, 0.0) * kBlockSize;
+        for (int row = 0; row < std::min(count, 63); ++row) {
+            if (most < -double(polygon.margins[i])) rows &= ~(std::uint64_t(1) << row);
+            most += f.y * kBlockSize;
+        }
+    }
+    return rows;
 }
 
 /// @param inward  1 or -1: sign of the borders inside
@@ -78,6 +101,7 @@ std::optional<TilePolygon> polygonOf(const TileEye& eye, const std::array<dvec3,
     }
     polygon.functions[kTileBorders] = depth;
     polygon.margins[kTileBorders] = marginOf(eye, depth);
+    polygon.rows = rowsOf(eye, polygon);
     return polygon;
 }
 
@@ -90,13 +114,23 @@ PixelFunction pushedBack(const TileEye& eye, PixelFunction depth) {
     return depth;
 }
 
+/// So steep that it is before what is seen only where it is before the near plane, of which nothing that is seen is.
+PixelFunction beforeTheNear(const TileEye& eye, PixelFunction depth) {
+    const double near = eye.perspective ? 1.0 / eye.znear : -eye.znear;
+    depth.c -= near;
+    depth = times(depth, 0x1p16);
+    depth.c += near;
+    return depth;
+}
+
 }  // namespace
 
-std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const dvec4& light, int times) {
+std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const dvec4& light, int times,
+                                    int inside) {
     const dvec3 l(light);
     const dvec3 n = light.w != 0.0 ? cross(a - l, b - l) : cross(b - a, l);
     const dvec3 pa = onPicture(eye, dvec4(a, 1.0)), pb = onPicture(eye, dvec4(b, 1.0)), pl = onPicture(eye, light);
-    const double side = eye.perspective ? dot(cross(a, b), l) : -n.z;  // positive: the eye is within
+    const double side = signedAs(inside, eye.perspective ? dot(cross(a, b), l) : -n.z, n);
     if (side == 0.0) return std::nullopt;
     // Seen from without, view rays enter the volume there.
     const bool enters = (side < 0.0) == (times > 0);
@@ -104,16 +138,19 @@ std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dv
                      depthOf(eye, n, a, side), enters ? std::abs(times) : -std::abs(times));
 }
 
-std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<dvec3, 3>& corners, int light) {
+std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<dvec3, 3>& corners, int light, int front,
+                                   CapMissing missing) {
     const auto& [a, b, c] = corners;
     const dvec3 pa = onPicture(eye, dvec4(a, 1.0)), pb = onPicture(eye, dvec4(b, 1.0)),
                 pc = onPicture(eye, dvec4(c, 1.0));
     const dvec3 n = cross(b - a, c - a);
-    const double away = eye.perspective ? dot(n, a) : -n.z;  // positive: the eye is where they run clockwise
+    const double away = signedAs(-front, eye.perspective ? dot(n, a) : -n.z, n);
     if (away == 0.0) return std::nullopt;
     const bool enters = (away < 0.0) == (light > 0);
+    const PixelFunction depth = depthOf(eye, n, a, away);
     return polygonOf(eye, {cross(pa, pb), cross(pb, pc), cross(pc, pa)}, away > 0.0 ? 1.0 : -1.0,
-                     pushedBack(eye, depthOf(eye, n, a, away)), enters ? 1 : -1);
+                     missing == CapMissing::Anywhere ? pushedBack(eye, depth) : beforeTheNear(eye, depth),
+                     enters ? 1 : -1);
 }
 
 }  // namespace umbrage

@@ -18,9 +18,10 @@ struct TileEye {
     int width = 0, height = 0;
     glm::dvec2 rayScale{1.0};  // half extent of the picture at distance 1 (perspective) or in metres
     bool perspective = true;
+    double znear = 0.0;
     glm::dvec2 sample{0.5};  // where in a pixel it is looked at, from its upper left corner
     glm::dvec2 ties{1.0};    // 1 or -1: to which side samples on a border are moved, along the row and much less along
-                           // the column; as whatever found what is seen does it
+                             // the column; as whatever found what is seen does it
 };
 
 /// A linear function of the pixel (column, row), at its sample.
@@ -30,6 +31,7 @@ struct PixelFunction {
 
 /// One function more than borders: the last is the depth, which is greater where it is nearer: 1/metre along the view
 /// axis, or for an orthographic eye metres towards the viewer.
+inline constexpr int kTileSize = 8, kBlockSize = 64;  // pixels along a side
 inline constexpr int kTileBorders = 3, kTileFunctions = kTileBorders + 1;
 
 /// Covers pixels where every border is at least its threshold, which is 0, or the least number above for those that
@@ -40,20 +42,29 @@ struct TilePolygon {
     float margins[kTileFunctions]{};  // what rounding may do to each when it is evaluated in float
     float thresholds[kTileBorders]{};
     std::int32_t crossing = 0;  // what the count of what lies behind it changes by
+    std::uint64_t rows = 0;     // of blocks that it may touch, one bit each; bit 63 stands for all from there on
 };
 
 /// The infinite quad behind an edge that the surface facing the light runs along from a to b.
 /// @param a, b  view space
 /// @param light  view space: a position, or the direction towards it (w = 0)
 /// @param times  multiplicity; negative: it runs from b to a
+/// @param inside  whether the eye is on the inner side of its plane, for times > 0: 1 or -1, as whoever found the eye's
+///                constant decided it, so that both agree however near the eye is; 0: as it looks here
 /// @return  none where nothing of it is in the picture, or it is seen exactly edge-on
 std::optional<TilePolygon> tileSide(const TileEye& eye, const glm::dvec3& a, const glm::dvec3& b,
-                                    const glm::dvec4& light, int times);
+                                    const glm::dvec4& light, int times, int inside = 0);
 
-/// A light cap that is not in the depth buffer wherever it is the nearest: at its own depth, a little pushed back, so
-/// that what is seen of itself stays before it (T1).
+/// Where a light cap is not in the depth buffer though it is the nearest (T1).
+enum class CapMissing {
+    Anywhere,      // it counts at its own depth, a little pushed back, so that what is seen of itself stays before it
+    BeforeTheNear  // only what the near plane cuts off
+};
+
 /// @param corners  view space
 /// @param light  +1 if the light is on the side from which they run counterclockwise, else -1
-std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<glm::dvec3, 3>& corners, int light);
+/// @param front  1 if the eye is on that side, -1 if not; 0: as it looks here
+std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<glm::dvec3, 3>& corners, int light,
+                                   int front = 0, CapMissing missing = CapMissing::Anywhere);
 
 }  // namespace umbrage
