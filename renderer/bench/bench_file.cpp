@@ -31,7 +31,7 @@ Type<std::vector<T>> notEmpty(const Type<std::vector<T>>& list) {
 }
 
 Type<std::vector<std::string>> measurements() {
-    return listOf(choice({"times", "tiles"}), "a list of measurements");
+    return listOf(choice({"times", "error", "tiles"}), "a list of measurements");
 }
 
 Type<std::string> tileMethod() {
@@ -87,6 +87,10 @@ Type<BenchSequence> sequence() {
                 "measure", measurements(),
                 [](Sequence& s, const std::vector<std::string>& measure) { s.measure = measure; },
                 "What is measured of it; [] nothing, for pictures alone")
+                .unset("what the bench says"),
+            fieldThrough<Sequence, bool>(
+                "tracer", boolean(), [](Sequence& s, bool tracer) { s.tracer = tracer; },
+                "As the bench's, for this sequence")
                 .unset("what the bench says"),
             field<Sequence>("casters", listOf(located(text()), "a list of globs"), &Sequence::casters,
                             "For tiles: all meshes at and below a node that one of these matches are one caster, "
@@ -172,17 +176,28 @@ Type<Bench> benchType() {
             fieldThrough<Bench, int>(
                 "bench", oneOf({1}), [](Bench&, int) {}, "Version of this format")
                 .required(),
-            field<Bench>("measure", measurements(), &Bench::measure,
-                         "times: of frames and passes; tiles: what a rasteriser that culls tiles of 8 x 8 pixels "
-                         "processes (Laine 2005)"),
+            field<Bench>(
+                "measure", measurements(), &Bench::measure,
+                "times: of frames and passes; error: what shadows cost against how many samples are wrong, with "
+                "plots; tiles: what a rasteriser that culls tiles of 8 x 8 pixels "
+                "processes (Laine 2005)"),
             field<Bench>("sequences", notEmpty(listOf(sequence(), "a list of sequences")), &Bench::sequences,
                          "What is rendered")
                 .required(),
             field<Bench>("techniques", techniques(), &Bench::techniques,
-                         "For times: silhouette:count pairs that are compared")
+                         "For times and error: silhouette:count pairs that are compared")
                 .unset("each sequence's own"),
+            field<Bench>("tracer", boolean(), &Bench::tracer,
+                         "For times and error: also by the tracer, Embree's packets of primary rays and one robust "
+                         "occlusion ray "
+                         "for each lit sample and light. Textures and vertex colours are replaced by the factors they "
+                         "are multiplied with, for every technique"),
+            field<Bench>(
+                "offsets", notEmpty(listOf(number(between(0.0, 1.0)), "a list of numbers")), &Bench::offsets,
+                "For error: where the tracer's shadow rays begin, in parts of the largest coordinate or distance "
+                "there"),
             field<Bench>("rounds", integer(between(1, 1000)), &Bench::rounds,
-                         "For times: how often everything is measured, all in turn"),
+                         "For times and error: how often everything is measured, all in turn"),
             fieldThrough<Bench, std::array<int, 2>>(
                 "size", arrayOf<2>(integer(between(1, 16384)), "a list [width, height]"),
                 [](Bench& b, const std::array<int, 2>& size) { b.size = size; }, "Width and height in pixels")

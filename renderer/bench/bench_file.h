@@ -21,6 +21,7 @@ struct BenchSequence {
     std::vector<std::string> set;                     // as --set of the other commands
     std::optional<FrameRange> frames;                 // instead of the file's
     std::optional<std::vector<std::string>> measure;  // instead of the bench's
+    std::optional<bool> tracer;                       // instead of the bench's
     // For tiles:
     std::vector<Located<std::string>> casters;  // globs; none: every instance with a mesh is one
     bool together = false;                      // all of them are one caster
@@ -51,7 +52,9 @@ struct Bench {
     std::filesystem::path file;
     std::vector<std::string> measure{"times"};
     std::vector<BenchSequence> sequences;
-    std::vector<Technique> techniques;  // none: each sequence's own
+    std::vector<Technique> techniques;                          // none: each sequence's own
+    bool tracer = false;                                        // constant colours, so that it can take part
+    std::vector<double> offsets{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};  // of the tracer, for error
     int rounds = 5;
     std::optional<std::array<int, 2>> size;  // instead of each sequence's
     std::vector<BenchPicture> pictures;
@@ -60,6 +63,7 @@ struct Bench {
     const std::vector<std::string>& measureOf(const BenchSequence& sequence) const {
         return sequence.measure ? *sequence.measure : measure;
     }
+    bool tracerFor(const BenchSequence& sequence) const { return sequence.tracer.value_or(tracer); }
     /// With what the bench overrides.
     Job jobOf(const BenchSequence& sequence) const;
 };

@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 
+#include "bench/bench_error.h"
 #include "bench/bench_pictures.h"
 #include "bench/bench_scene.h"
 #include "bench/bench_tiles.h"
@@ -89,6 +90,9 @@ BenchResult runBench(const Bench& bench, const gpu::Context& context, bool allow
     BenchResult result;
     if (const BenchScenes of = measured(bench, scenes, "times"); !of.empty()) {
         result.tables.push_back(measureTimes(bench, of, context, observer, interrupted));
+    }
+    if (const BenchScenes of = measured(bench, scenes, "error"); !of.empty()) {
+        measureError(bench, of, context, threads, observer, interrupted, result);
     }
     if (const BenchScenes of = measured(bench, scenes, "tiles"); !of.empty()) {
         measureTiles(of, context, threads, observer, interrupted, result);

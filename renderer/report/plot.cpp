@@ -2,12 +2,8 @@
 // The layout.
 #include "report/plot.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "report/line_style.h"
+#include "report/plot_axis.h"
 
 namespace umbrage {
 namespace {
@@ -19,40 +15,20 @@ constexpr double kTextDrop = 5;     // from the middle of a line of text to its 
 constexpr double kSwatch = 24;
 constexpr Rgb8 kAxisColor{90, 90, 90}, kGridColor{222, 222, 222};
 
-/// 1.5M rather than 1500000.
-std::string shortNumber(double value) {
-    constexpr std::pair<double, const char*> kUnits[] = {{1e12, "T"}, {1e9, "G"}, {1e6, "M"}, {1e3, "k"}};
-    for (const auto& [size, letter] : kUnits) {
-        if (std::abs(value) >= size) return fmt::format("{:.6g}{}", value / size, letter);
-    }
-    return fmt::format("{:.6g}", value);
-}
-
-struct Range {
-    double low = 0.0, high = 1.0;
-};
-
-/// @param withZero  starts at zero, so that heights compare
-Range rangeOf(const Plot& plot, double std::pair<double, double>::*axis, bool withZero) {
-    Range range{INFINITY, -INFINITY};
-    for (const PlotSeries& series : plot.series) {
-        for (const auto& point : series.points) {
-            range.low = std::min(range.low, point.*axis);
-            range.high = std::max(range.high, point.*axis);
-        }
-    }
-    if (range.low > range.high) return {};
-    if (withZero) range = {std::min(range.low, 0.0), std::max(range.high, 0.0)};
-    if (range.low == range.high) range = withZero ? Range{0.0, 1.0} : Range{range.low - 1.0, range.high + 1.0};
-    return range;
+/// About a point; another shape where colours begin again.
+PlotLine markAt(const PlotPoint& at, std::size_t series) {
+    constexpr double r = 5.0;
+    const std::vector<PlotPoint> shapes[] = {{{-r, 0}, {0, -r}, {r, 0}, {0, r}, {-r, 0}},
+                                             {{-r, -r}, {r, -r}, {r, r}, {-r, r}, {-r, -r}},
+                                             {{-r, r}, {0, -r}, {r, r}, {-r, r}}};
+    PlotLine mark{shapes[series / kCategoryColors.size() % std::size(shapes)], categoryColor(series), 2.0};
+    for (PlotPoint& point : mark.points) point = {at.x + point.x, at.y + point.y};
+    return mark;
 }
 
 class Layout {
 public:
-    explicit Layout(const Plot& plot) : plot_(plot), x_(rangeOf(plot, &std::pair<double, double>::first, false)) {
-        const Range values = rangeOf(plot, &std::pair<double, double>::second, true);
-        yTicks_ = ticksOf(values.low, values.high, 6);
-        y_ = {yTicks_.front(), yTicks_.back()};
+    explicit Layout(const Plot& plot) : plot_(plot), x_(PlotAxis::across(plot)), y_(PlotAxis::up(plot)) {
         drawing_.width = kWidth;
     }
 
@@ -69,28 +45,35 @@ public:
 private:
     static double bottom() { return kTop + kPlotHeight; }
 
-    PlotPoint place(double x, double y) const {
-        return {kLeft + (x - x_.low) / (x_.high - x_.low) * (kWidth - kRight - kLeft),
-                bottom() - (y - y_.low) / (y_.high - y_.low) * kPlotHeight};
+    PlotPoint place(double x, double y) const { return at(x_.share(x), y_.share(y)); }
+    static PlotPoint at(double across, double up) {
+        return {kLeft + across * (kWidth - kRight - kLeft), bottom() - up * kPlotHeight};
     }
 
     void addAxes() {
-        for (const double tick : yTicks_) {
-            const PlotPoint left = place(x_.low, tick), right = place(x_.high, tick);
-            drawing_.lines.push_back({{left, right}, tick == 0.0 ? kAxisColor : kGridColor});
-            drawing_.texts.push_back({{left.x - 8, left.y + kTextDrop}, Anchor::End, shortNumber(tick)});
+        for (const PlotAxis::Tick& tick : y_.ticks()) {
+            const double up = y_.share(tick.value);
+            const PlotPoint left = at(0.0, up);
+            drawing_.lines.push_back({{left, at(1.0, up)}, tick.value == 0.0 ? kAxisColor : kGridColor});
+            drawing_.texts.push_back({{left.x - 8, left.y + kTextDrop}, Anchor::End, tick.label});
         }
-        for (const double tick : ticksOf(x_.low, x_.high, 12)) {
-            if (tick < x_.low || tick > x_.high || tick != std::floor(tick)) continue;
-            const PlotPoint foot = place(tick, y_.low);
+        for (const PlotAxis::Tick& tick : x_.ticks()) {
+            const PlotPoint foot = at(x_.share(tick.value), 0.0);
             drawing_.lines.push_back({{foot, {foot.x, foot.y + 5}}, kAxisColor});
-            drawing_.texts.push_back({{foot.x, foot.y + 20}, Anchor::Middle, shortNumber(tick)});
+            drawing_.texts.push_back({{foot.x, foot.y + 20}, Anchor::Middle, tick.label});
         }
     }
 
     void addSeries(std::size_t index) {
+        const PlotSeries& series = plot_.series[index];
+        if (series.areMarks) {
+            for (const auto& [x, y] : series.points) {
+                drawing_.lines.push_back(markAt(place(x, y), index));
+            }
+            return;
+        }
         PlotLine line{{}, categoryColor(index), 2.0, lineDash(index)};
-        for (const auto& [x, y] : plot_.series[index].points) line.points.push_back(place(x, y));
+        for (const auto& [x, y] : series.points) line.points.push_back(place(x, y));
         if (line.points.size() == 1) {
             line.points.push_back({line.points[0].x + 4, line.points[0].y});
             line.points[0].x -= 4;
@@ -110,7 +93,11 @@ private:
                 x = kLeft;
                 y += kLegendLine;
             }
-            drawing_.lines.push_back({{{x, y}, {x + kSwatch, y}}, categoryColor(s), 2.0, lineDash(s)});
+            if (plot_.series[s].areMarks) {
+                drawing_.lines.push_back(markAt({x + kSwatch / 2, y}, s));
+            } else {
+                drawing_.lines.push_back({{{x, y}, {x + kSwatch, y}}, categoryColor(s), 2.0, lineDash(s)});
+            }
             drawing_.texts.push_back({{x + kSwatch + 8, y + kTextDrop}, Anchor::Start, name});
             x += width;
         }
@@ -118,26 +105,11 @@ private:
     }
 
     const Plot& plot_;
-    Range x_, y_;
-    std::vector<double> yTicks_;
+    PlotAxis x_, y_;
     Drawing drawing_;
 };
 
 }  // namespace
-
-std::vector<double> ticksOf(double low, double high, int count) {
-    const double wanted = (high - low) / count;
-    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-    double step = 10.0 * power;
-    for (const double factor : {5.0, 2.0, 1.0}) {
-        if (factor * power >= wanted) step = factor * power;
-    }
-    std::vector<double> ticks;
-    for (double i = std::floor(low / step);; ++i) {
-        ticks.push_back(i * step);
-        if (ticks.back() >= high && ticks.size() > 1) return ticks;
-    }
-}
 
 Drawing layOut(const Plot& plot) {
     return Layout(plot).make();

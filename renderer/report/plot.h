@@ -12,12 +12,17 @@ namespace umbrage {
 
 struct PlotSeries {
     std::string name;
-    std::vector<std::pair<double, double>> points;  // ascending in x
+    std::vector<std::pair<double, double>> points;  // ascending in x, unless they are marks
+    bool areMarks = false;                          // each by itself, not joined by a curve
 };
+
+enum class PlotScale { Linear, Logarithmic };
 
 struct Plot {
     std::string title, xLabel, yLabel;  // labels with units
     std::vector<PlotSeries> series;
+    /// Of both axes. On a logarithmic one what is not above zero stands at the foot, marked 0, below all else.
+    PlotScale scale = PlotScale::Linear;
 };
 
 /// Positions in pixels from the upper left corner.

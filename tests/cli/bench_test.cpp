@@ -40,6 +40,47 @@ TEST_F(BenchCommand, TimesEveryTechniqueOfEverySequence) {
     EXPECT_THAT(contentsOf(folder() / "made/b.md"), HasSubstr("umbrage bench bench.yaml"));
 }
 
+TEST_F(BenchCommand, TimesTheTracerBesideTechniques) {
+    writeSequence();
+    writeFile("bench.yaml",
+              "bench: 1\nrounds: 1\ntracer: true\ntechniques: [\"compute:z-pass\"]\n"
+              "sequences: [{file: seq.yaml}, {name: alone, file: seq.yaml, tracer: false}]\n");
+    const Result result = umbrage({"bench", "bench.yaml", "--json", "b.json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    const Json rows = json("b.json")["measurements"][0]["rows"];
+    ASSERT_THAT(rows, SizeIs(3));
+    EXPECT_EQ(rows[1]["technique"], "tracer");
+    for (const char* column : {"frame.ms", "unshadowed.ms", "cold.ms", "bvh.build.ms"}) {
+        EXPECT_GT(rows[1][column].get<double>(), 0.0) << column;
+    }
+    EXPECT_FALSE(rows[1].contains("time.gbuffer.ms"));
+    EXPECT_DOUBLE_EQ(rows[0]["frame.ratio"].get<double>(),
+                     rows[0]["frame.ms"].get<double>() / rows[1]["frame.ms"].get<double>());
+    EXPECT_FALSE(rows[2].contains("frame.ratio"));
+}
+
+TEST_F(BenchCommand, PlotsRunTimeAgainstError) {
+    writeSequence();
+    writeFile("bench.yaml",
+              "bench: 1\nrounds: 1\ntracer: true\nmeasure: [error]\noffsets: [0, 1.0e-4]\n"
+              "techniques: [\"compute:z-pass\"]\nsequences: [{file: seq.yaml}]\n");
+    const Result result = umbrage({"bench", "bench.yaml", "--json", "made/b.json", "--out", "made"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(filesIn("made"), testing::IsSupersetOf({"error-seq.png", "error-seq.svg"}));
+    const Json file = json("made/b.json");
+    const Json rows = file["measurements"][0]["rows"];
+    ASSERT_THAT(rows, SizeIs(3));
+    EXPECT_EQ(rows[0]["technique"], "compute:z-pass");
+    EXPECT_EQ(rows[0]["hard"], 0.0);
+    EXPECT_GT(rows[0]["lit"].get<double>(), 100.0);
+    EXPECT_EQ(rows[1]["technique"], "tracer 0");
+    EXPECT_GT(rows[1]["hard"].get<double>(), 0.0);
+    EXPECT_EQ(rows[2]["technique"], "tracer 0.0001");
+    const Json plot = file["plots"]["error-seq"]["series"];
+    EXPECT_EQ(plot["tracer 0"][0][1], rows[1]["wrong.million"]);
+    EXPECT_FALSE(plot["Pareto front"].empty());
+}
+
 TEST_F(BenchCommand, CountsTilesAndDrawsThem) {
     writeSequence();
     writeFile("bench.yaml",
@@ -89,6 +130,11 @@ TEST_F(BenchCommand, RefusesBadFilesAndOptions) {
     EXPECT_THAT(sizes.err, HasSubstr("bench.yaml:4:"));
     EXPECT_THAT(sizes.err, HasSubstr("another size"));
     EXPECT_THAT(sizes.out, IsEmpty());
+    writeFile("bench.yaml", "bench: 1\ntracer: true\nsequences: [{file: seq.yaml, set: [image.samples=4]}]\n");
+    const Result samples = umbrage({"bench", "bench.yaml"});
+    EXPECT_EQ(samples.exitCode, 3);
+    EXPECT_THAT(samples.err, HasSubstr("bench.yaml:3:"));
+    EXPECT_THAT(samples.err, HasSubstr("image.samples=1"));
 }
 
 TEST_F(BenchCommand, ItsPageIsWhatTheProgramWrites) {

@@ -57,6 +57,18 @@ TEST(BenchFile, ReadsTechniquesPlanesAndPictures) {
     EXPECT_FALSE(bench.pictures[0].panels[0].frame.has_value());
 }
 
+TEST(BenchFile, TheTracerTakesPartWhereItIsWanted) {
+    const Bench bench = read(
+        "bench: 1\ntracer: true\nmeasure: [error]\noffsets: [1.0e-3, 0]\n"
+        "sequences: [{file: a.yaml}, {file: b.yaml, tracer: false}]\n");
+    EXPECT_TRUE(bench.tracerFor(bench.sequences[0]));
+    EXPECT_FALSE(bench.tracerFor(bench.sequences[1]));
+    EXPECT_THAT(bench.offsets, ElementsAre(1e-3, 0.0));
+    EXPECT_FALSE(read("bench: 1\nsequences: [{file: a.yaml}]\n").tracer);
+    expectRefused("bench: 1\nsequences: [{file: a.yaml}]\noffsets: [-1]\n", "b.yaml:3:11", "-1");
+    expectRefused("bench: 1\nsequences: [{file: a.yaml}]\noffsets: []\n", "b.yaml:3:10", "is empty");
+}
+
 TEST(BenchFile, RefusesWithThePlaceAndAHint) {
     expectRefused("", "b.yaml", "a bench begins with bench: 1");
     expectRefused("umbrage: 1\nscene: []\n", "b.yaml", "this is a sequence file");

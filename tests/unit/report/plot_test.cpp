@@ -85,6 +85,36 @@ TEST(PlotLayout, OneCurveHasNoLegendAndOnePointIsSeen) {
     EXPECT_GT(dash->points[1].x, dash->points[0].x);
 }
 
+TEST(PlotLayout, LogarithmicAxesHaveDecadesAndRoomForZero) {
+    const Plot plot{
+        "t", "ms", "wrong", {{"a", {{1, 10}}, true}, {"b", {{10, 100}, {100, 0}}, true}}, PlotScale::Logarithmic};
+    const Drawing drawing = layOut(plot);
+    std::vector<PlotPoint> marks;  // their middles
+    for (const PlotLine& line : drawing.lines) {
+        if (line.points.size() != 5 || line.points[0].y > drawing.height - 60) continue;  // one of the legend's
+        marks.push_back({(line.points[0].x + line.points[2].x) / 2, line.points[0].y});
+    }
+    ASSERT_EQ(marks.size(), 3u);
+    EXPECT_NEAR(marks[1].x - marks[0].x, marks[2].x - marks[1].x, 1e-9);
+    EXPECT_NEAR(marks[0].y - marks[1].y, marks[2].y - marks[0].y, 1e-9);  // zero is a decade below the least
+    const auto zero = std::ranges::find(drawing.texts, std::string("0"), &PlotText::text);
+    ASSERT_NE(zero, drawing.texts.end());
+    EXPECT_NEAR(zero->at.y, marks[2].y, 6.0);
+}
+
+TEST(PlotLayout, MarksHaveOtherShapesWhenColoursComeAgain) {
+    Plot plot{"t", "x", "y", {}};
+    for (int i = 0; i <= int(kCategoryColors.size()); ++i) plot.series.push_back({"s", {{i, i}}, true});
+    const Drawing drawing = layOut(plot);
+    std::vector<const PlotLine*> first;
+    for (const PlotLine& line : drawing.lines) {
+        if (line.color == categoryColor(0) && line.points.size() == 5) first.push_back(&line);
+    }
+    ASSERT_GE(first.size(), 2u);
+    EXPECT_EQ(first[0]->points[1].x, (first[0]->points[0].x + first[0]->points[2].x) / 2);  // a lozenge
+    EXPECT_NE(first[1]->points[1].x, (first[1]->points[0].x + first[1]->points[2].x) / 2);
+}
+
 TEST(PlotSvg, HasAxesLegendAndEscapedNames) {
     const std::string svg = svgOf(layOut(twoCurves()));
     EXPECT_THAT(svg, testing::StartsWith("<svg xmlns=\"http://www.w3.org/2000/svg\""));
