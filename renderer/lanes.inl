@@ -40,10 +40,27 @@ inline void store(Element* p, const Vector& v) {
     __builtin_memcpy(p, &v, sizeof v);
 }
 
+/// One bit for each lane of a comparison.
+inline std::uint32_t bitsOf(const Ints& v) {
+#if defined(__AVX512DQ__)
+    __m512i all;
+    __builtin_memcpy(&all, &v, sizeof all);
+    return _mm512_movepi32_mask(all);
+#elif defined(__AVX2__)
+    __m256 halves[2];
+    __builtin_memcpy(halves, &v, sizeof halves);
+    return std::uint32_t(_mm256_movemask_ps(halves[0])) | std::uint32_t(_mm256_movemask_ps(halves[1])) << 8;
+#else
+    __m128 quarters[4];
+    __builtin_memcpy(quarters, &v, sizeof quarters);
+    std::uint32_t bits = 0;
+    for (int i = 0; i < 4; ++i) bits |= std::uint32_t(_mm_movemask_ps(quarters[i])) << (4 * i);
+    return bits;
+#endif
+}
+
 inline bool any(const Ints& v) {
-    std::int32_t all = 0;
-    for (int i = 0; i < kLanes; ++i) all |= v[i];
-    return all != 0;
+    return bitsOf(v) != 0;
 }
 inline Floats larger(const Floats& a, const Floats& b) {
     return a > b ? a : b;

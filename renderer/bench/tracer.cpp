@@ -46,20 +46,14 @@ TracerLight tracerLight(const PlacedLight& placed, const glm::dvec3& origin) {
     return light;
 }
 
-std::vector<TracerReach> reachOf(const std::vector<TracerLight>& lights) {
-    std::vector<TracerReach> groups((lights.size() + kTracerLanes - 1) / kTracerLanes);
-    for (TracerReach& group : groups) std::fill(std::begin(group.range2), std::end(group.range2), -1.0f);
+std::vector<LightsReach> reachOf(const std::vector<TracerLight>& lights) {
+    std::vector<LightsReach> all;
     for (std::size_t l = 0; l < lights.size(); ++l) {
-        TracerReach& group = groups[l / kTracerLanes];
-        const std::size_t lane = l % kTracerLanes;
-        group.x[lane] = lights[l].position[0];
-        group.y[lane] = lights[l].position[1];
-        group.z[lane] = lights[l].position[2];
-        const bool ranged = lights[l].w != 0.0f && lights[l].inverseRange2 > 0.0f;
-        // Widened by more than rounding: who is out of range gets nothing anyway.
-        group.range2[lane] = ranged ? 1.0001f / lights[l].inverseRange2 : std::numeric_limits<float>::infinity();
+        const TracerLight& light = lights[l];
+        addReach(all, l, {light.position[0], light.position[1], light.position[2]},
+                 light.w != 0.0f ? light.inverseRange2 : 0.0f);
     }
-    return groups;
+    return all;
 }
 
 }  // namespace
@@ -112,7 +106,7 @@ void Tracer::run(const Moment& moment, const PlacedCamera& camera, FramePixels* 
     for (const PlacedLight& light : moment.lights) {
         if (isOn(light.light)) lights.push_back(tracerLight(light, scene_.origin()));
     }
-    const std::vector<TracerReach> reach = reachOf(lights);
+    const std::vector<LightsReach> reach = reachOf(lights);
     frame.lights = lights.data();
     frame.reach = reach.data();
     frame.lightCount = int(lights.size());

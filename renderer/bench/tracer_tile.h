@@ -7,10 +7,11 @@
 
 #include <cstdint>
 
+#include "shading/lights_reach.h"
+
 namespace umbrage {
 
 inline constexpr int kTracerTile = 16;  // pixels a side
-inline constexpr int kTracerLanes = 16;
 
 /// What a triangle is, beside its material's number in the low bits.
 inline constexpr std::uint32_t kTracerFrontSeen = 1u << 31, kTracerBackSeen = 1u << 30, kTracerFlat = 1u << 29,
@@ -31,12 +32,6 @@ struct TracerLight {
     float coneScale = 0.0f, coneOffset = 1.0f;
 };
 
-/// Lights again, one array a value, sixteen at a time: which of them may reach a box.
-struct TracerReach {
-    float x[kTracerLanes], y[kTracerLanes], z[kTracerLanes];
-    float range2[kTracerLanes];  // infinite where there is no range; below 0 beyond the last light
-};
-
 struct TracerFrame {
     RTCScene scene = nullptr;
     const std::int32_t* vertices = nullptr;  // three a triangle
@@ -44,7 +39,7 @@ struct TracerFrame {
     const std::uint32_t* traits = nullptr;   // per triangle
     const TracerMaterial* materials = nullptr;
     const TracerLight* lights = nullptr;
-    const TracerReach* reach = nullptr;  // one for each sixteen lights
+    const LightsReach* reach = nullptr;  // one for each sixteen lights
     int lightCount = 0, width = 0, height = 0;
     bool shadows = true;
     float offset =

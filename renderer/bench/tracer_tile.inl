@@ -5,17 +5,15 @@
 // The formulas are those of shaders/resolve.frag.glsl, lights.glsl and brdf.glsl (glTF 2.0, appendix B;
 // KHR_lights_punctual), for sixteen pixels at once.
 
-#include "bench/lanes.inl"
+#include "shading/lit_lanes.inl"
 
 namespace umbrage {
 namespace {
 
-static_assert(kLanes == kTracerLanes);
 constexpr int kPacketSide = 4;
 constexpr Floats kColumn{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 constexpr Floats kRow{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 constexpr std::int32_t kFrontSeen = std::int32_t(kTracerFrontSeen), kBackSeen = std::int32_t(kTracerBackSeen);
-constexpr float kPi = 3.14159265358979f;
 
 /// Of a packet: where it is, and what is seen there.
 struct Packet {
@@ -26,12 +24,6 @@ struct Packet {
     Ints front;
     Ints triangle, traits;
     Floats u, v;
-};
-
-struct Shading {
-    Floats3 baseColor;
-    Floats metallic, roughness;
-    Floats3 n, v;
 };
 
 /// Tells Embree's callback which triangles the viewer sees.
@@ -128,53 +120,6 @@ inline Floats3 shadingNormal(const TracerFrame& frame, const Packet& packet, con
     return {flatHere ? plane.x : scale * n.x, flatHere ? plane.y : scale * n.y, flatHere ? plane.z : scale * n.z};
 }
 
-/// The BRDF times N.L; `nl` is above 0.
-inline Floats3 reflectance(const Shading& s, const Floats3& l, const Floats& nl) {
-    const Floats nv = larger(magnitude(dot(s.n, s.v)), Floats{} + 1e-4f);
-    const Floats3 between = l + s.v;
-    const Floats3 h = (1.0f / root(larger(dot(between, between), Floats{} + 1e-20f))) * between;
-    const Floats nh = within01(dot(s.n, h)), vh = within01(dot(s.v, h));
-    const Floats alpha = larger(s.roughness * s.roughness, Floats{} + 1e-3f), a2 = alpha * alpha;
-    const Floats d = nh * nh * (a2 - 1.0f) + 1.0f;
-    const Floats shadowing = nl * root(nv * nv * (1.0f - a2) + a2) + nv * root(nl * nl * (1.0f - a2) + a2);
-    const Floats specular = 0.5f * a2 / (kPi * d * d * shadowing);
-    const Floats away = 1.0f - vh, away2 = away * away, schlick = away2 * away2 * away;
-    const Floats share = 0.04f + 0.96f * schlick;
-    const auto channel = [&](const Floats& base) {
-        const Floats metal = specular * (base + (1.0f - base) * schlick);
-        const Floats dielectric = base * ((1.0f - share) * (1.0f / kPi)) + specular * share;
-        return (dielectric + s.metallic * (metal - dielectric)) * nl;
-    };
-    return {channel(s.baseColor.x), channel(s.baseColor.y), channel(s.baseColor.z)};
-}
-
-/// Bits of sixteen lights with a range, or none, that may reach the packet.
-inline std::uint32_t lightsNear(const TracerReach& reach, const float (&low)[3], const float (&high)[3]) {
-    const auto beyond = [](const Floats& at, float from, float to) {
-        return larger(larger(from - at, at - to), Floats{});
-    };
-    const Floats x = beyond(load<Floats>(reach.x), low[0], high[0]), y = beyond(load<Floats>(reach.y), low[1], high[1]),
-                 z = beyond(load<Floats>(reach.z), low[2], high[2]);
-    const Ints near = x * x + y * y + z * z <= load<Floats>(reach.range2);
-    std::uint32_t bits = 0;
-    for (int i = 0; i < kLanes; ++i) bits |= std::uint32_t(near[i] != 0) << i;
-    return bits;
-}
-
-inline void boundsOf(const Packet& packet, float (&low)[3], float (&high)[3]) {
-    const Floats* values[] = {&packet.p.x, &packet.p.y, &packet.p.z};
-    for (int k = 0; k < 3; ++k) {
-        const Floats least = packet.hit ? *values[k] : Floats{} + kInfinity;
-        const Floats most = packet.hit ? *values[k] : Floats{} - kInfinity;
-        low[k] = kInfinity;
-        high[k] = -kInfinity;
-        for (int i = 0; i < kLanes; ++i) {
-            low[k] = least[i] < low[k] ? least[i] : low[k];
-            high[k] = most[i] > high[k] ? most[i] : high[k];
-        }
-    }
-}
-
 /// Lanes of `wanted` whose way to the light is free.
 inline Ints unoccluded(const TracerFrame& frame, const Packet& packet, const Ints& wanted, const Floats3& way,
                        const Floats& inverseLength, bool endless) {
@@ -255,7 +200,7 @@ inline Floats3 shade(const TracerFrame& frame, const Packet& packet, int left, i
                      unshadowed(emissive.z, s.baseColor.z, 2)};
     if (!any(lit)) return radiance;
     float low[3], high[3];
-    boundsOf(packet, low, high);
+    boundsOf(packet.p, packet.hit, low, high);
     for (int group = 0; group * kLanes < frame.lightCount; ++group) {
         for (std::uint32_t bits = lightsNear(frame.reach[group], low, high); bits != 0u; bits &= bits - 1u) {
             addLight(frame, group * kLanes + __builtin_ctz(bits), packet, lit, s, left, top, radiance);

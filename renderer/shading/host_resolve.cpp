@@ -20,16 +20,9 @@ ShadeRowFunction* shadeRowHere() {
 }
 
 std::vector<LightsReach> reachOf(std::span<const gpu::LightData> lights) {
-    std::vector<LightsReach> all((lights.size() + kShadeLanes - 1) / kShadeLanes);
-    for (LightsReach& reach : all) std::fill(std::begin(reach.range2), std::end(reach.range2), -1.0f);
+    std::vector<LightsReach> all;
     for (std::size_t l = 0; l < lights.size(); ++l) {
-        LightsReach& reach = all[l / kShadeLanes];
-        const std::size_t i = l % kShadeLanes;
-        const glm::vec4& p = lights[l].position;
-        reach.x[i] = p.x, reach.y[i] = p.y, reach.z[i] = p.z;
-        const float inverse = lights[l].direction.w;  // 1 / range^2
-        // A little more than the range: what rounds beyond it adds nothing anyway.
-        reach.range2[i] = p.w != 0.0f && inverse > 0.0f ? 1.001f / inverse : HUGE_VALF;
+        addReach(all, l, glm::vec3(lights[l].position), lights[l].position.w != 0.0f ? lights[l].direction.w : 0.0f);
     }
     return all;
 }

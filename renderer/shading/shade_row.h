@@ -6,16 +6,9 @@
 #include <cstdint>
 
 #include "shaders/shared.h"
+#include "shading/lights_reach.h"
 
 namespace umbrage {
-
-inline constexpr int kShadeLanes = 16;
-
-/// Lights in view space, one array a value, sixteen at a time: which of them may reach a box.
-struct LightsReach {
-    float x[kShadeLanes], y[kShadeLanes], z[kShadeLanes];
-    float range2[kShadeLanes];  // infinite where there is no range; below 0 beyond the last light
-};
 
 struct ShadeRow {
     int y = 0, width = 0;

@@ -1,56 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// See count_band.h. Included by one file for each instruction set, which says how it is called and gathers bits.
-// Nothing here may come from the standard library: the linker keeps one copy of what several files instantiate.
+// See count_band.h. Included by one file for each instruction set. Nothing here may come from the standard library: the
+// linker keeps one copy of what several files instantiate.
 
-#include <immintrin.h>
+#include "lanes.inl"
 
 namespace umbrage {
 namespace {
 
-typedef float Floats __attribute__((vector_size(64)));
-typedef std::int32_t Ints __attribute__((vector_size(64)));
-constexpr int kLanes = 16;
 constexpr int kTileVectors = kTilePixels / kLanes, kBlockVectors = kBlockTiles / kLanes;
 
 constexpr Floats kCount{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr Floats kColumn{0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
 constexpr Floats kRow{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
-constexpr float kInfinity = __builtin_inff();
-
-inline Floats load(const float* p) {
-    Floats v;
-    __builtin_memcpy(&v, p, sizeof v);
-    return v;
-}
-
-inline Ints load(const std::int32_t* p) {
-    Ints v;
-    __builtin_memcpy(&v, p, sizeof v);
-    return v;
-}
-
-inline void store(std::int32_t* p, Ints v) {
-    __builtin_memcpy(p, &v, sizeof v);
-}
-
-/// One bit for each lane of a comparison.
-inline std::uint32_t bitsOf(Ints v) {
-#if defined(__AVX512DQ__)
-    __m512i all;
-    __builtin_memcpy(&all, &v, sizeof all);
-    return _mm512_movepi32_mask(all);
-#elif defined(__AVX2__)
-    __m256 halves[2];
-    __builtin_memcpy(halves, &v, sizeof halves);
-    return std::uint32_t(_mm256_movemask_ps(halves[0])) | std::uint32_t(_mm256_movemask_ps(halves[1])) << 8;
-#else
-    __m128 quarters[4];
-    __builtin_memcpy(quarters, &v, sizeof quarters);
-    std::uint32_t bits = 0;
-    for (int i = 0; i < 4; ++i) bits |= std::uint32_t(_mm_movemask_ps(quarters[i])) << (4 * i);
-    return bits;
-#endif
-}
 
 inline float least(float a, float b) {
     return a < b ? a : b;
@@ -106,9 +67,8 @@ inline void findActive(const Band& band) {
             Floats farthest = Floats{} + kInfinity, nearest = Floats{} - kInfinity;
             for (int v = 0; v < kTileVectors; ++v) {
                 const std::size_t at = std::size_t(t) * kTilePixels + std::size_t(v * kLanes);
-                const Ints lit =
-                    (load(reinterpret_cast<const std::int32_t*>(band.lit + at)) & std::int32_t(band.lightBit)) != 0;
-                const Floats depth = load(band.depths + at);
+                const Ints lit = (load<Ints>(band.lit + at) & std::int32_t(band.lightBit)) != 0;
+                const Floats depth = load<Floats>(band.depths + at);
                 active |= std::uint64_t(bitsOf(lit)) << (v * kLanes);
                 farthest = lit & (depth < farthest) ? depth : farthest;
                 nearest = lit & (depth > nearest) ? depth : nearest;
@@ -144,7 +104,8 @@ inline void bin(const Band& band, std::size_t firstPolygon, std::size_t endPolyg
                 const auto start = float(valueAt(polygon.functions[i], block * kBlockSize, band.row * kBlockSize));
                 first[i] = start + over[i].x * kBlockSize * kCount;
             }
-            Touched touched = touch(first, over, load(s.blockFarthest + block), load(s.blockNearest + block));
+            Touched touched =
+                touch(first, over, load<Floats>(s.blockFarthest + block), load<Floats>(s.blockNearest + block));
             for (; touched.some != 0; touched.some &= touched.some - 1) {
                 const int at = block + __builtin_ctz(touched.some);
                 s.lists[std::size_t(at) * BandScratch::kPolygonsAtOnce + s.listSizes[at]++] = std::uint32_t(k);
@@ -153,7 +114,7 @@ inline void bin(const Band& band, std::size_t firstPolygon, std::size_t endPolyg
             for (; touched.all != 0; touched.all &= touched.all - 1) {
                 std::int32_t* counts = s.tileCounts + (block + __builtin_ctz(touched.all)) * kBlockTiles;
                 for (int v = 0; v < kBlockVectors; ++v)
-                    store(counts + v * kLanes, load(counts + v * kLanes) + polygon.crossing);
+                    store(counts + v * kLanes, load<Ints>(counts + v * kLanes) + polygon.crossing);
                 ++band.work->pixels;
             }
         }
@@ -172,9 +133,9 @@ inline std::uint32_t countPixels(const TilePolygon& polygon, const Floats (&patt
     }
     Ints any{};
     for (int v = 0; v < kTileVectors; ++v) {
-        Ints changed = value[kTileBorders] + float(v) * down[kTileBorders] > load(depths + v * kLanes);
+        Ints changed = value[kTileBorders] + float(v) * down[kTileBorders] > load<Floats>(depths + v * kLanes);
         for (int i = 0; i < kTileBorders; ++i) changed &= value[i] + float(v) * down[i] >= polygon.thresholds[i];
-        store(counts + v * kLanes, load(counts + v * kLanes) + (changed & polygon.crossing));
+        store(counts + v * kLanes, load<Ints>(counts + v * kLanes) + (changed & polygon.crossing));
         any |= changed;
     }
     return bitsOf(any);
@@ -199,7 +160,8 @@ inline void countBlock(const Band& band, int block) {
             const int first = block * kBlockTiles + v * kLanes;
             Floats here[kTileFunctions];
             for (int i = 0; i < kTileFunctions; ++i) here[i] = tiles[i] + over[i].y * float(2 * v * kTileSize);
-            const Touched touched = touch(here, over, load(s.tileFarthest + first), load(s.tileNearest + first));
+            const Touched touched =
+                touch(here, over, load<Floats>(s.tileFarthest + first), load<Floats>(s.tileNearest + first));
             some |= std::uint64_t(touched.some) << (v * kLanes);
             if (touched.all == 0) continue;
             changed = 1;
@@ -226,9 +188,9 @@ inline void mark(const Band& band) {
         if (s.active[t] == 0 && band.counts == nullptr) continue;
         for (int v = 0; v < kTileVectors; ++v) {
             const std::size_t at = std::size_t(t) * kTilePixels + std::size_t(v * kLanes);
-            const Ints count = load(s.counts + at) + s.tileCounts[t];
-            auto* dark = reinterpret_cast<std::int32_t*>(band.dark + at);
-            store(dark, load(dark) | ((count != 0) & std::int32_t(band.lightBit)));
+            const Ints count = load<Ints>(s.counts + at) + s.tileCounts[t];
+            std::uint32_t* dark = band.dark + at;
+            store(dark, load<Ints>(dark) | ((count != 0) & std::int32_t(band.lightBit)));
             if (band.counts != nullptr) store(band.counts + at, count);
         }
     }
