@@ -272,7 +272,10 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
                 counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry));
         }
         if (tiles) {
-            tiles->count(plans, geometry, silhouettes, group, {gbuffer, *masks, resolve, eye, seen}, outputs.counts);
+            tiles->count(
+                plans, geometry, silhouettes, group,
+                {gbuffer, *masks, resolve, eye, std::span(lightsInView).subspan(group.first, group.count), seen},
+                outputs.counts);
         }
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");

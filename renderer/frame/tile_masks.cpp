@@ -47,7 +47,14 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
         if (everyPixel) seen_->lightAll();
         lights_.findExposed(scene, *seen_, counter_);
         counted_.clear();
-        for (std::uint32_t l = 0; l < plans.size(); ++l) counted_.push_back(lights_.light(plans[l], scene, l));
+        for (std::uint32_t l = 0; l < plans.size(); ++l) {
+            TileLight light = lights_.light(plans[l], scene, l);
+            const gpu::LightData& data = target.lights[l];
+            light.position = glm::vec3(data.position);
+            const bool hasRange = data.position.w != 0.0f && data.direction.w > 0.0f && !everyPixel;
+            if (hasRange) light.range2 = 1.001f / data.direction.w;
+            counted_.push_back(std::move(light));
+        }
         seen_->toRows(counter_.count(*seen_, counted_).data(), dark_.data() + s * pixels);
     }
     if (positions.size() == 1) {

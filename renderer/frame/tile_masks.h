@@ -18,7 +18,8 @@ public:
         Masks& masks;
         Resolve& resolve;
         const Eye& eye;
-        SeenSample& seen;  // read already, if there is one sample a pixel
+        std::span<const gpu::LightData> lights;  // of the group
+        SeenSample& seen;                        // read already, if there is one sample a pixel
     };
     /// Counts a group of lights and writes its masks.
     /// @param plans  per light

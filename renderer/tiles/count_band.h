@@ -32,13 +32,21 @@ struct TileWork {
     std::uint64_t pixels = 0;  // of them, and one for each pair that was decided as a whole
 };
 
+/// In view space; empty where low > high.
+struct TileBox {
+    float low[3]{1.0f, 1.0f, 1.0f}, high[3]{-1.0f, -1.0f, -1.0f};
+};
+
 struct Band {
     const TilePolygon* polygons;
     std::size_t polygonCount;
     std::int32_t start;  // the count at the eye
     std::uint32_t lightBit;
+    float light[3];            // in view space
+    float range2;              // of its range, beyond which it lights nothing; infinite
     int columns, row;          // of blocks
     const float* depths;       // of what is seen, of this row
+    const TileBox* boxes;      // of tiles
     const std::uint32_t* lit;  // bits of lights that what is seen may be lit by
     std::uint32_t* dark;       // gets the light's bit where the count is not zero
     std::int32_t* counts;      // of all pixels, if wanted; else null

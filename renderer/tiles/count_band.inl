@@ -57,12 +57,27 @@ inline Touched touch(const Floats (&first)[kTileFunctions], const OverSquares* o
     return {bitsOf(some) & ~whole, whole};
 }
 
+/// Whether a light's range ends before a tile.
+inline bool isBeyond(const Band& band, const TileBox& box) {
+    float d2 = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+        const float slack = 1e-5f * (most(box.high[k], -box.low[k]) + most(band.light[k], -band.light[k]));
+        const float d = most(most(box.low[k] - band.light[k], band.light[k] - box.high[k]) - slack, 0.0f);
+        d2 += d * d;
+    }
+    return d2 > band.range2;
+}
+
 /// Which pixels may be lit, and how deep they lie.
 inline void findActive(const Band& band) {
     const BandScratch& s = band.scratch;
     for (int block = 0; block < band.columns; ++block) {
         float blockFarthest = kInfinity, blockNearest = -kInfinity;
         for (int t = block * kBlockTiles; t < (block + 1) * kBlockTiles; ++t) {
+            s.active[t] = 0;
+            s.tileFarthest[t] = kInfinity;
+            s.tileNearest[t] = -kInfinity;
+            if (isBeyond(band, band.boxes[t])) continue;
             std::uint64_t active = 0;
             Floats farthest = Floats{} + kInfinity, nearest = Floats{} - kInfinity;
             for (int v = 0; v < kTileVectors; ++v) {

@@ -29,6 +29,7 @@ SeenTiles::SeenTiles(int width, int height)
       depths_(std::size_t(columns_) * std::size_t(rows_) * kBlockPixels),
       lit_(depths_.size()),
       farthest_(depths_.size() / kTilePixels),
+      boxes_(farthest_.size()),
       tileColumns_(columns_ * (kBlockSize / kTileSize)) {}
 
 template <class Visit>
@@ -48,6 +49,7 @@ void SeenTiles::forTileRows(const Visit& visit) const {
 }
 
 void SeenTiles::set(const SeenPicture& picture, const TileEye& eye) {
+    eye_ = eye;
     const float scale = float(picture.depthScale), offset = float(picture.depthOffset);
     const auto ray = [](double rayScale, double at, int size) { return float(rayScale * (2.0 * at / size - 1.0)); };
     std::vector<float> rayX(static_cast<std::size_t>(width_));
@@ -70,20 +72,47 @@ void SeenTiles::set(const SeenPicture& picture, const TileEye& eye) {
             lit_[here + i] = (eye.perspective ? plane.w : plane.z) > 0.0f ? sides.x : sides.y;
         }
     });
-    findFarthest();
+    findBounds();
 }
 
+namespace {
+
+/// Least and greatest of a coordinate that is a share of the distance, or for an orthographic eye the same anywhere.
+void spread(double from, double to, double near, double far, bool perspective, float& low, float& high) {
+    const double a = perspective ? near : 1.0, b = perspective ? far : 1.0;
+    const auto [least, most] = std::minmax({from * a, from * b, to * a, to * b});
+    low = float(least), high = float(most);
+}
+
+/// Around the pixels of a tile, from the nearest to the farthest depth in it, in view space.
+TileBox boxOf(const TileEye& eye, int column, int row, float nearest, float farthest) {
+    const auto ndc = [](int pixel, double within, int size) { return 2.0 * (pixel + within) / size - 1.0; };
+    // Half a pixel more on either side than the samples need.
+    const double left = ndc(column, 0.0, eye.width), right = ndc(column + kTileSize, 0.0, eye.width);
+    const double top = ndc(row, 0.0, eye.height), bottom = ndc(row + kTileSize, 0.0, eye.height);
+    const double near = eye.perspective ? 1.0 / nearest : -nearest, far = eye.perspective ? 1.0 / farthest : -farthest;
+    TileBox box;
+    spread(left * eye.rayScale.x, right * eye.rayScale.x, near, far, eye.perspective, box.low[0], box.high[0]);
+    spread(-bottom * eye.rayScale.y, -top * eye.rayScale.y, near, far, eye.perspective, box.low[1], box.high[1]);
+    box.low[2] = -float(far), box.high[2] = -float(near);
+    return box;
+}
+
+}  // namespace
+
 /// Once all pixels are set.
-void SeenTiles::findFarthest() {
+void SeenTiles::findBounds() {
     tbb::parallel_for(0, columns_ * rows_, [&](int block) {
         for (int tile = 0; tile < kBlockTiles; ++tile) {
-            const std::size_t first = std::size_t(block * kBlockTiles + tile) * kTilePixels;
-            float farthest = std::numeric_limits<float>::infinity();
+            const std::size_t at = std::size_t(block * kBlockTiles + tile), first = at * kTilePixels;
+            float farthest = std::numeric_limits<float>::infinity(), nearest = -farthest;
             for (std::size_t i = first; i < first + kTilePixels; ++i) {
-                if (lit_[i] != 0) farthest = std::min(farthest, depths_[i]);
+                farthest = std::min(farthest, lit_[i] != 0 ? depths_[i] : std::numeric_limits<float>::infinity());
+                nearest = std::max(nearest, lit_[i] != 0 ? depths_[i] : -std::numeric_limits<float>::infinity());
             }
             const int x = block % columns_ * 8 + tile % 8, y = block / columns_ * 8 + tile / 8;
             farthest_[std::size_t(y) * std::size_t(tileColumns_) + std::size_t(x)] = farthest;
+            boxes_[at] = nearest < farthest ? TileBox{} : boxOf(eye_, x * kTileSize, y * kTileSize, nearest, farthest);
         }
     });
 }
@@ -104,7 +133,7 @@ bool SeenTiles::isBefore(const glm::dvec2& low, const glm::dvec2& high, float de
 
 void SeenTiles::lightAll() {
     std::ranges::fill(lit_, ~0u);
-    findFarthest();
+    findBounds();
 }
 
 template <class T>

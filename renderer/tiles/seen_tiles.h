@@ -38,6 +38,9 @@ public:
     const float* depths() const { return depths_.data(); }
     /// Bits of lights that what is seen faces; nothing beyond the picture's edges does.
     const std::uint32_t* lit() const { return lit_.data(); }
+    /// Around what some light may light, tile by tile as pixels are stored.
+    const TileBox* boxes() const { return boxes_.data(); }
+
     /// Whether something is before what is seen anywhere between two places of the picture: that any light may light.
     bool isBefore(const glm::dvec2& low, const glm::dvec2& high, float depth) const;
 
@@ -53,12 +56,14 @@ private:
     /// for each row of a tile, on several threads.
     template <class Visit>
     void forTileRows(const Visit& visit) const;
-    void findFarthest();
+    void findBounds();
 
     int width_, height_, columns_, rows_;
+    TileEye eye_;
     std::vector<float> depths_;
     std::vector<std::uint32_t> lit_;
     std::vector<float> farthest_;  // in each tile, of what some light may light; rows of tiles from the top
+    std::vector<TileBox> boxes_;
     int tileColumns_;
 };
 

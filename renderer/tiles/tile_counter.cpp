@@ -66,7 +66,9 @@ std::vector<std::int32_t> TileCounter::countsOf(const SeenTiles& seen, const Til
 
 std::vector<std::uint8_t> TileCounter::touching(const SeenTiles& seen, std::vector<TilePolygon> polygons) {
     std::vector<std::uint8_t> touching(polygons.size());
-    const TileLight any{std::move(polygons), 0, ~0u};
+    TileLight any;
+    any.polygons = std::move(polygons);
+    any.bit = ~0u;
     countAll(seen, {&any, 1}, {nullptr, touching.data()});
     return touching;
 }
@@ -79,10 +81,19 @@ void TileCounter::countAll(const SeenTiles& seen, std::span<const TileLight> lig
         Scratch& scratch = scratches.local();
         const std::size_t first = std::size_t(row) * std::size_t(seen.columns()) * kBlockPixels;
         for (const TileLight& light : lights) {
-            countBand_({light.polygons.data(), light.polygons.size(), light.start, light.bit, seen.columns(), row,
-                        seen.depths() + first, seen.lit() + first, dark_.data() + first,
-                        wanted.counts ? wanted.counts + first : nullptr, wanted.touching, scratch.get(),
-                        &scratch.work});
+            Band band;
+            band.polygons = light.polygons.data(), band.polygonCount = light.polygons.size();
+            band.start = light.start, band.lightBit = light.bit;
+            for (int k = 0; k < 3; ++k) band.light[k] = light.position[k];
+            band.range2 = light.range2;
+            band.columns = seen.columns(), band.row = row;
+            band.depths = seen.depths() + first, band.lit = seen.lit() + first;
+            band.boxes = seen.boxes() + first / kTilePixels;
+            band.dark = dark_.data() + first;
+            band.counts = wanted.counts ? wanted.counts + first : nullptr;
+            band.touching = wanted.touching;
+            band.scratch = scratch.get(), band.work = &scratch.work;
+            countBand_(band);
         }
     });
     for (const Scratch& scratch : scratches) {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,10 @@ namespace umbrage {
 /// One light's volumes: their sides, and caps of what is not in the depth buffer.
 struct TileLight {
     std::vector<TilePolygon> polygons;
-    std::int32_t start = 0;  // layers over the eye
-    std::uint32_t bit = 1;   // in SeenTiles::lit(), and of what comes out
+    std::int32_t start = 0;                                 // layers over the eye
+    glm::vec3 position{0.0f};                               // in view space
+    float range2 = std::numeric_limits<float>::infinity();  // of its range in metres, beyond which it lights nothing
+    std::uint32_t bit = 1;                                  // in SeenTiles::lit(), and of what comes out
 };
 
 class TileCounter {
