@@ -89,6 +89,7 @@ struct FrameRenderer::Impl {
     VolumeRenderer volumes{settings.samples, *technique};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
     AovReader aovs{scene, geometry, materials, surfaces, gbuffer, resolve};
+    std::vector<bool> unseen;                          // per instance: its box is out of view
     std::vector<Geometry::Bounds> modelBounds, boxes;  // per instance, this frame: in model space, in the world
     std::unique_ptr<Masks> masks;                      // made anew when the number of groups of lights grows
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
@@ -120,6 +121,7 @@ struct FrameRenderer::Impl {
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
     void uploadView(const std::vector<const PlacedLight*>& lights);
+    void findBoxes();
     CountSettings findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame);
     void limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool exactCounts);
     void castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
@@ -156,6 +158,16 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
     }
 }
 
+void FrameRenderer::Impl::findBoxes() {
+    modelBounds = geometry.modelBounds();
+    boxes = worldBounds(geometry, modelBounds);
+    const std::array<HalfSpace, 4> sides = sidesOfView(eye);
+    unseen.assign(boxes.size(), false);
+    for (std::size_t i = 0; settings.skipOutOfView && i < boxes.size(); ++i) {
+        unseen[i] = outOfView(cornersOf(boxes[i]), sides);
+    }
+}
+
 /// T1: casters that are partly missing from the depth buffer need caps and are counted whole.
 CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame) {
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
@@ -163,7 +175,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     silhouettes.hostCasters.assign(geometry.instanceCount(), {});
     if (settings.shadows && !tiles) {  // which looks at single triangles instead
         gbuffer.depthOnly.bind();
-        surfaces.findExposed(geometry, materials, silhouettes.casters);
+        surfaces.findExposed(geometry, materials, unseen, silhouettes.casters);
         silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
                                  silhouettes.hostCasters.data());
     }
@@ -171,8 +183,6 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     found.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
     found.halve = halve;
     found.perspective = eye.perspective;
-    modelBounds = geometry.modelBounds();
-    boxes = worldBounds(geometry, modelBounds);
     const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
     found.holed = tiles ? std::vector<bool>(geometry.instanceCount()) : surfaces.holed();
     std::vector<std::string> ids;
@@ -214,10 +224,10 @@ void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vecto
         for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
             gpu::CasterState& caster = silhouettes.hostCasters[i];
             const bool beyond = settings.skipOutOfReach && outOfReach(boxes[i], reach);
-            const bool unseen = settings.skipOutOfView && outOfView(corners[i], place, viewSides);
+            const bool volumeUnseen = settings.skipOutOfView && outOfView(corners[i], place, viewSides);
             caster.outOfReach |= std::uint32_t(beyond) << l;
-            caster.outOfView |= std::uint32_t(unseen) << l;
-            if (!ends || beyond || unseen) continue;
+            caster.outOfView |= std::uint32_t(volumeUnseen) << l;
+            if (!ends || beyond || volumeUnseen) continue;
             caster.ends[l / 10] |= extent.endOf(corners[i]) << (3 * (l % 10));
         }
     }
@@ -403,9 +413,10 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.begin("time.position");
     r.geometry.update(r.scene, moment, eye);
     r.uploadView(lights);
+    r.findBoxes();
     r.begin("time.gbuffer");
     r.gbuffer.begin(eye.emptyDepth());
-    r.surfaces.drawOpaque(r.geometry, r.materials);
+    r.surfaces.drawOpaque(r.geometry, r.materials, r.unseen);
     r.castShadows(moment, lights, outputs, frame, recorder, planesOf);
     pixels.notes = r.counts.takeNotes();
     if (outputs.radiance) pixels.radiance = r.shade();

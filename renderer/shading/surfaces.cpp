@@ -100,8 +100,9 @@ const gpu::Program& Surfaces::gbufferProgram(std::uint32_t textures, bool masked
     return found->second;
 }
 
-void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials) {
+void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, const std::vector<bool>& unseen) {
     OpaquePass pass;
+    pass.unseen = &unseen;
     pass.state.depth = gpu::Depth::Nearer;
     pass.state.depthWrite = true;
     pass.state.color = gpu::ColorOp::Replace;
@@ -116,6 +117,8 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, 
     std::uint32_t bound = ~0u;
     bool boundClockwise = false;
     for (const Draw& draw : opaque_) {
+        // Lines and points are a pixel wide.
+        if (pass.unseen && draw.mode == GL_TRIANGLES && (*pass.unseen)[draw.instance]) continue;
         const bool isClockwise = frontIsClockwise(draw, geometry);
         if (draw.material != bound || isClockwise != boundClockwise) {
             const Material& material = materials.material(draw.material);
@@ -133,7 +136,8 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, 
     }
 }
 
-void Surfaces::findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters) {
+void Surfaces::findExposed(const Geometry& geometry, const Materials& materials, const std::vector<bool>& unseen,
+                           const gpu::Buffer& casters) {
     geometry.bind();
     drawBuffer_.bindStorage(BIND_DRAWS);
     casters.bindStorage(BIND_CASTERS);
@@ -146,6 +150,7 @@ void Surfaces::findExposed(const Geometry& geometry, const Materials& materials,
         state.frontIsClockwise = clockwise;
         gpu::apply(state);
         for (const Draw& draw : opaque_) {
+            if (unseen[draw.instance]) continue;
             const bool culled = draw.mode == GL_TRIANGLES && !materials.material(draw.material).doubleSided;
             if (culled && frontIsClockwise(draw, geometry) == clockwise) submit(draw, geometry);
         }

@@ -21,13 +21,15 @@ public:
 
     /// Opaque and masked primitives into the G-buffer that is bound: the viewer sees front faces, and back faces of
     /// double-sided materials (docs/rules.md, G7).
-    void drawOpaque(const Geometry& geometry, const Materials& materials);
+    /// @param unseen  instances whose triangles are out of view, and left out
+    void drawOpaque(const Geometry& geometry, const Materials& materials, const std::vector<bool>& unseen);
 
     /// The same primitives in the same order, by other programs into whatever is bound.
     struct OpaquePass {
         const gpu::Program *opaque = nullptr, *masked = nullptr;  // null: what the G-buffer needs
         const gpu::VertexArray* vertices = nullptr;               // null: their own
         gpu::RasterState state{};                                 // but for culling
+        const std::vector<bool>* unseen = nullptr;                // instances whose triangles are left out
     };
     void drawOpaque(const Geometry& geometry, const Materials& materials, const OpaquePass& pass);
 
@@ -36,7 +38,9 @@ public:
 
     /// Marks casters with a culled back face nearer than what is seen (T1) in CasterState::exposed; the finished depth
     /// buffer is bound.
-    void findExposed(const Geometry& geometry, const Materials& materials, const gpu::Buffer& casters);
+    /// @param unseen  as drawOpaque()
+    void findExposed(const Geometry& geometry, const Materials& materials, const std::vector<bool>& unseen,
+                     const gpu::Buffer& casters);
 
     /// Whether anything shines by itself or is unlit.
     bool anyEmissive() const { return anyEmissive_; }

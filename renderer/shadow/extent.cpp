@@ -84,6 +84,15 @@ std::array<HalfSpace, 4> sidesOfView(const Eye& eye) {
     return sides;
 }
 
+bool outOfView(const BoxCorners& box, std::span<const HalfSpace> sidesOfView) {
+    return std::ranges::any_of(sidesOfView, [&](const HalfSpace& side) {
+        return std::ranges::all_of(box, [&](const glm::dvec3& corner) {
+            const double margin = 1e-6 * (glm::length(corner) + std::abs(side.offset));
+            return glm::dot(side.normal, corner) - side.offset > margin;
+        });
+    });
+}
+
 bool outOfView(const BoxCorners& caster, const ShadowLight& light, std::span<const HalfSpace> sidesOfView) {
     return std::any_of(sidesOfView.begin(), sidesOfView.end(), [&](const HalfSpace& side) {
         return std::all_of(caster.begin(), caster.end(), [&](const glm::dvec3& corner) {

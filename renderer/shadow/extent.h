@@ -43,6 +43,9 @@ private:
 /// Half spaces whose common part is the view: through the eye, or of an orthographic eye parallel.
 std::array<HalfSpace, 4> sidesOfView(const Eye& eye);
 
+/// Whether a box lies outside one side of the view.
+bool outOfView(const BoxCorners& box, std::span<const HalfSpace> sidesOfView);
+
 /// Whether a caster and its whole volume lie outside one side of the view: then no view ray meets either.
 bool outOfView(const BoxCorners& caster, const ShadowLight& light, std::span<const HalfSpace> sidesOfView);
 
