@@ -127,6 +127,7 @@ struct FrameRenderer::Impl {
     void castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      int frame, FrameRecorder& recorder, const PlanesOf& planesOf);
     std::vector<float> shade();
+    void shadeLights(FramePixels& pixels);
     void drawSplitPlanes(FramePixels& pixels) const;
     void readSamples(FramePixels& pixels);
 };
@@ -282,10 +283,10 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
                 counts.plan({silhouettes, group, l, layers[l], parallel, countSettings}, *masks, volumes, geometry));
         }
         if (tiles) {
-            tiles->count(
-                plans, geometry, silhouettes, group,
-                {gbuffer, *masks, resolve, eye, std::span(lightsInView).subspan(group.first, group.count), seen},
-                outputs.counts);
+            tiles->count(plans, geometry, silhouettes, group,
+                         {gbuffer, *masks, resolve, eye, std::span(lightsInView).subspan(group.first, group.count),
+                          countSettings.eyeConstant, settings.skipOutOfReach, seen},
+                         outputs.counts);
         }
         for (std::uint32_t l = 0; l < group.count; ++l) {
             begin("time.counts");
@@ -322,6 +323,24 @@ std::vector<float> FrameRenderer::Impl::shade() {
     }
     begin("time.readback");
     return resolve.readRadiance();
+}
+
+/// The AOV `light` by what the picture was made by: highlights amplify how things are rounded, and these add up to it.
+void FrameRenderer::Impl::shadeLights(FramePixels& pixels) {
+    gpu::ViewData dark = viewData;
+    dark.ambientSky = dark.ambientGround = dark.background = glm::vec4(0.0f);
+    for (std::size_t l = 0; l < shining.size(); ++l) {
+        std::vector<gpu::LightData> alone = lightsInView;
+        for (std::size_t other = 0; other < alone.size(); ++other) {
+            if (other != l) alone[other].color.w = 0.0f;
+        }
+        const std::vector<float> rgba = hostResolve->shade({gbuffer, seen, *masks, silhouettes, dark, alone, false});
+        AovPlane& plane = pixels.lights[shining[l]].aovs["light"];
+        const auto components = std::size_t(plane.components);
+        for (std::size_t i = 0; i < plane.values.size(); ++i) {
+            plane.values[i] = rgba[4 * (i / components) + i % components];
+        }
+    }
 }
 
 void FrameRenderer::Impl::readSamples(FramePixels& pixels) {
@@ -427,6 +446,7 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         const gpu::Uncounted uncounted;
         r.diagnostics.finish(r.scene, moment);
         r.aovs.read(outputs, *r.masks, r.silhouettes, eye, r.shining, pixels);
+        if (r.hostResolve && outputs.wants("light")) r.shadeLights(pixels);
         if (outputs.samples) r.readSamples(pixels);
         if (outputs.splitPlanes) r.drawSplitPlanes(pixels);
     }

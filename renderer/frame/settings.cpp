@@ -26,9 +26,9 @@ std::vector<Technique> allTechniques() {
 
 Job chosenFor(Job job, const gpu::DeviceInfo& device) {
     std::string &silhouette = job.shadow.silhouette, &count = job.shadow.count;
-    // On a device that is a processor itself, host code without a rasteriser between is several times faster.
+    // On a device that is a processor itself, host code without shaders between is several times faster.
     if (silhouette == "auto") silhouette = device.software ? "cpu" : "compute";
-    if (count == "auto") count = device.software && canPair(silhouette, "tiles") ? "tiles" : "z-pass";
+    if (count == "auto") count = "z-pass";
     return job;
 }
 

@@ -42,7 +42,8 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
                           target.eye.znear,
                           positions[s],
                           glm::dvec2(ties_->right, ties_->down)};
-        const TileScene scene{geometry, silhouettes, group, eye};
+        const TileScene scene{geometry, silhouettes, group, eye, target.eyeConstant};
+        lights_.begin(scene);
         see(silhouettes, group, target, eye, int(s));
         if (everyPixel) seen_->lightAll();
         lights_.findExposed(scene, *seen_, counter_);
@@ -51,8 +52,8 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
             TileLight light = lights_.light(plans[l], scene, l);
             const gpu::LightData& data = target.lights[l];
             light.position = glm::vec3(data.position);
-            const bool hasRange = data.position.w != 0.0f && data.direction.w > 0.0f && !everyPixel;
-            if (hasRange) light.range2 = 1.001f / data.direction.w;
+            const bool hasRange = data.position.w != 0.0f && data.direction.w > 0.0f;
+            if (hasRange && target.skipOutOfReach && !everyPixel) light.range2 = 1.001f / data.direction.w;
             counted_.push_back(std::move(light));
         }
         seen_->toRows(counter_.count(*seen_, counted_).data(), dark_.data() + s * pixels);

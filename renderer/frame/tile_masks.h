@@ -19,6 +19,8 @@ public:
         Resolve& resolve;
         const Eye& eye;
         std::span<const gpu::LightData> lights;  // of the group
+        bool eyeConstant;                        // as CountSettings
+        bool skipOutOfReach;                     // pixels that a light cannot light
         SeenSample& seen;                        // read already, if there is one sample a pixel
     };
     /// Counts a group of lights and writes its masks.

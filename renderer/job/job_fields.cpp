@@ -166,7 +166,7 @@ Type<Job::Shadow> shadowSettings() {
         {
             field<Shadow>("enabled", boolean(), &Shadow::enabled, "off: everything is lit"),
             field<Shadow>("count", choice(orAuto(namesOf(kCounts))), &Shadow::count,
-                          "How pixels are counted: " + meaningsOf(kCounts)),
+                          "How pixels are counted: " + meaningsOf(kCounts) + "; auto: z-pass"),
             field<Shadow>("whenInexact", choice(namesOf(kWhenInexact)), &Shadow::whenInexact,
                           "Where the way of counting is not exact and says so: " + meaningsOf(kWhenInexact)),
             field<Shadow>("extrusion", number(atLeast(0)), &Shadow::extrusionMetres,
@@ -174,7 +174,8 @@ Type<Job::Shadow> shadowSettings() {
                           "on")
                 .in("metres"),
             field<Shadow>("silhouette", choice(orAuto(namesOf(kSilhouettes))), &Shadow::silhouette,
-                          "How silhouette edges are found: " + meaningsOf(kSilhouettes)),
+                          "How silhouette edges are found: " + meaningsOf(kSilhouettes) +
+                              "; auto: cpu where the device is a processor, else compute"),
             field<Shadow>("eyeConstant", boolean(), &Shadow::eyeConstant,
                           "off: plain z-pass, which is wrong with the eye in a shadow"),
             fieldThrough<Shadow, JobParts>(

@@ -60,8 +60,7 @@ inline constexpr std::array kCounts = {
     CountName{"z-pass-plus", "from the near plane, where the light's view of it counts what it cuts", Exact::Never},
     CountName{"split-plane", "of each part of the casters from the eye before a plane, from infinity behind it",
               Exact::Always},
-    CountName{"tiles", "from the eye, tile by tile on the processor; what needs caps by z-pass or z-fail",
-              Exact::Always},
+    CountName{"tiles", "from the eye, tile by tile on the processor", Exact::Always},
     CountName{"invert", "from the eye, only whether counts are odd", Exact::UnlessItSaysSo},
     CountName{"z-fail-finite", "from infinity, with volumes that end", Exact::UnlessItSaysSo},
 };
@@ -95,8 +94,8 @@ inline constexpr std::array kWhenInexact = {
 
 inline constexpr std::array kSkips = {
     NameAndMeaning{"halve", "one quad for two where every count is even"},
-    NameAndMeaning{"range", "casters out of a light's range or cone"},
-    NameAndMeaning{"view", "casters whose volumes no view ray meets"},
+    NameAndMeaning{"range", "casters out of a light's range or cone, and what it cannot light"},
+    NameAndMeaning{"view", "casters whose volumes no view ray meets, and instances out of view"},
     NameAndMeaning{"extent", "volumes end behind all that the light can shine on"},
 };
 

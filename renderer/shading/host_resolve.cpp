@@ -48,7 +48,8 @@ std::vector<float> HostResolve::shade(const Input& input) {
     for (std::size_t g = 0; g < groups; ++g) {
         dark_[g].resize(padded);
         input.masks.read(std::uint32_t(g), dark_[g]);
-        facing[g] = &input.silhouettes.hostFacing[g * input.silhouettes.facingStride].x;
+        facing[g] = reinterpret_cast<const std::uint32_t*>(input.silhouettes.hostFacing.data() +
+                                                           g * input.silhouettes.facingStride);
     }
     const std::vector<LightsReach> reach = reachOf(input.lights);
     ShadeRowFunction* const shadeRow = shadeRowHere();
@@ -65,7 +66,7 @@ std::vector<float> HostResolve::shade(const Input& input) {
         row.properties = properties_.data() + first;
         row.emissive = input.emissive ? emissive_.data() + 2 * first : nullptr;
         row.dark = dark.data(), row.facing = facing.data();
-        row.planes = &input.silhouettes.hostPlanes.data()->x;
+        row.planes = reinterpret_cast<const float*>(input.silhouettes.hostPlanes.data());
         row.radiance = radiance.data() + 4 * first;
         shadeRow(row);
     });

@@ -87,13 +87,6 @@ bool inBoxOf(const TriangleCorners& t, const glm::vec4& light) {
     return light.w != 0.0f && glm::all(glm::greaterThanEqual(l, low)) && glm::all(glm::lessThanEqual(l, high));
 }
 
-int sideOfEnd(const glm::vec4& end, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
-    bool undecided = false;
-    const glm::dvec3 e(end), p(light), va(a), vb(b);
-    return end.w == 0.0f ? exactSign(e, va - p, vb - p, undecided)
-                         : exactSign(p - double(light.w) * e, va - e, vb - e, undecided);
-}
-
 bool hazardous(const glm::vec4& start, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b) {
     if (start.w == 0.0f && light.w == 0.0f) return false;
     const glm::vec3 l(light), p(start);

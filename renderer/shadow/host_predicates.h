@@ -27,10 +27,6 @@ bool inBoxOf(const TriangleCorners& t, const glm::vec4& light);
 bool isOver(const glm::vec4& end, const glm::vec4& light, float lightSide, const TriangleCorners& v, const glm::vec3& n,
             bool& undecided);
 
-/// Which side of the plane through the edge (a, b) and the light an end of the view rays is on, by the same determinant
-/// and with the same ties as isOver(): never 0. Not for two points at infinity.
-int sideOfEnd(const glm::vec4& end, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b);
-
 /// T4: whether the start of view rays lies on a side, on a triangle.
 bool hazardous(const glm::vec4& start, const glm::vec4& light, const glm::vec3& a, const glm::vec3& b);
 bool eyeIsOn(const glm::vec4& homogeneousEye, const glm::vec3& n, const TriangleCorners& t);

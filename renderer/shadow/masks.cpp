@@ -190,8 +190,9 @@ void Masks::upload(std::uint32_t group, std::span<const std::uint32_t> bits) {
 
 void Masks::read(std::uint32_t group, std::span<std::uint32_t> bits) const {
     const gpu::Texture::Size size = texture_.size();
-    gpu::readPixels(framebuffers_[group].name(), size.width, size.height, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                    bits.size_bytes(), bits.data());
+    const std::size_t bytes = std::size_t(size.width) * std::size_t(size.height) * sizeof(std::uint32_t);
+    gpu::readPixels(framebuffers_[group].name(), size.width, size.height, GL_RED_INTEGER, GL_UNSIGNED_INT, bytes,
+                    bits.data());
 }
 
 const gpu::Framebuffer& Masks::singleSampled(bool wide) const {

@@ -5,8 +5,9 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 
-#include "shadow/host_predicates.h"
+#include "shadow/bounds.h"
 
 namespace umbrage {
 namespace {
@@ -23,41 +24,40 @@ void takeAll(tbb::enumerable_thread_specific<std::vector<T>>& made, std::vector<
     for (const std::vector<T>& some : made) to.insert(to.end(), some.begin(), some.end());
 }
 
-/// An instance's model space, seen from the eye.
-class InView {
-public:
-    explicit InView(const gpu::InstanceData& instance) : mirrored_((instance.flags & INSTANCE_MIRRORED) != 0) {
-        for (std::size_t r = 0; r < 3; ++r) rows_[r] = glm::dvec4(instance.viewFromModel[r]);
-    }
-    glm::dvec4 of(const glm::dvec4& p) const {
-        return {glm::dot(rows_[0], p), glm::dot(rows_[1], p), glm::dot(rows_[2], p), p.w};
-    }
-    glm::dvec3 of(const glm::vec3& p) const { return glm::dvec3(of(glm::dvec4(p, 1.0))); }
-    bool mirrored() const { return mirrored_; }
+using Corners = std::array<glm::dvec3, 3>;
 
-private:
-    std::array<glm::dvec4, 3> rows_;
-    bool mirrored_;
-};
+/// Far below what floats can tell, far above what doubles round.
+constexpr double kHair = 1e-10;
 
-std::optional<TilePolygon> sideOf(std::uint32_t entry, int crossings, std::uint32_t light, const TileScene& scene) {
-    const auto& [geometry, silhouettes, group, eye] = scene;
+/// Where the eye is from a triangle's plane: positive where its corners run clockwise. Never 0: on the plane it is in
+/// front.
+/// @param n  normal, of the side from which they run counterclockwise
+double awayOf(const TileEye& eye, const glm::dvec3& n, const glm::dvec3& corner) {
+    return eye.perspective ? glm::dot(n, corner) : -n.z;
+}
+
+/// Whether the line from `origin` along `d` passes through the triangle.
+bool crosses(const glm::dvec3& origin, const glm::dvec3& d, const Corners& v) {
+    int positive = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        positive += glm::dot(glm::cross(v[i] - origin, v[(i + 1) % 3] - origin), d) > 0.0;
+    }
+    return positive % 3 == 0;
+}
+
+std::optional<TilePolygon> sideOf(std::uint32_t entry, int crossings, const TileScene& scene,
+                                  std::span<const InstanceInView> instances, std::span<const glm::dvec4> lights) {
+    const Geometry& geometry = scene.geometry;
     const std::uint32_t placed = (entry & ~QUAD_OF_RIGHT) >> 1;
     const std::uint32_t i = geometry.edgeChunks()[placed >> CHUNK_SHIFT];
     const gpu::InstanceData& instance = geometry.instances()[i];
     const gpu::Edge& edge = geometry.edges()[instance.edgeBase + placed - instance.placedEdgeBase];
-    const InView view(instance);
-    const bool reversed = ((entry & 1u) != 0) != view.mirrored();
-    const glm::vec4 place = silhouettes.hostLightsInModel[std::size_t(i) * silhouettes.totalLights + light];
-    const glm::vec3 a = silhouettes.hostTriangles.position(instance.vertexBase + edge.a);
-    const glm::vec3 b = silhouettes.hostTriangles.position(instance.vertexBase + edge.b);
-    int inside = 0;
-    if (eye.perspective || place.w != 0.0f) {
-        inside = sideOfEnd(instance.eyeInModel, place, a, b);
-        if (view.mirrored()) inside = -inside;
-        if (!eye.perspective) inside = -inside;
-    }
-    return tileSide(eye, view.of(a), view.of(b), view.of(glm::dvec4(place)), reversed ? -crossings : crossings, inside);
+    const InstanceInView& view = instances[i];
+    const bool reversed = ((entry & 1u) != 0) != view.mirrored;
+    const HostTriangles& triangles = scene.silhouettes.hostTriangles;
+    return tileSide(scene.eye, view.of(triangles.position(instance.vertexBase + edge.a)),
+                    view.of(triangles.position(instance.vertexBase + edge.b)), lights[i],
+                    reversed ? -crossings : crossings);
 }
 
 /// The pixels and the depth that a triangle may have.
@@ -81,8 +81,76 @@ bool mayBeNearest(const std::array<glm::dvec3, 3>& corners, const TileScene& sce
 
 }  // namespace
 
+void TileLights::begin(const TileScene& scene) {
+    instances_.resize(scene.geometry.instanceCount());
+    tbb::parallel_for(std::size_t(0), instances_.size(), [&](std::size_t i) {
+        const gpu::InstanceData& data = scene.geometry.instances()[i];
+        InstanceInView& instance = instances_[i];
+        for (std::size_t r = 0; r < 3; ++r) instance.rows[r] = glm::dvec4(data.viewFromModel[r]);
+        instance.mirrored = (data.flags & INSTANCE_MIRRORED) != 0;
+        const Geometry::Bounds& box = scene.silhouettes.hostTriangles.box(std::uint32_t(i));
+        instance.center = instance.of(glm::vec3(0.5 * (box.low + box.high)));
+        instance.radius = 0.0;
+        for (const glm::dvec3& corner : cornersOf(box)) {
+            instance.radius = std::max(instance.radius, glm::distance(instance.of(glm::vec3(corner)), instance.center));
+        }
+        // The eye is moved by a hair, so that it is on no edge or corner.
+        const double size = glm::length(instance.center) + instance.radius;
+        const glm::dvec3 aside = kHair * size * glm::dvec3(-0.37, 0.71, 0.59);
+        for (int r = 0; r < 3; ++r) instance.rows[std::size_t(r)].w += aside[r];
+    });
+}
+
+/// A light in view space as an instance's volumes have it: moved by a hair, across everything, so that no side passes
+/// through the eye, nor any edge or corner through the line from eye to light. Shadows move by less than floats can
+/// tell.
+std::vector<glm::dvec4> TileLights::lightsInView(const TileScene& scene, std::uint32_t light) const {
+    std::vector<glm::dvec4> lights(instances_.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const InstanceInView& instance = instances_[i];
+        const Silhouettes& silhouettes = scene.silhouettes;
+        lights[i] = instance.of(glm::dvec4(silhouettes.hostLightsInModel[i * silhouettes.totalLights + light]));
+        const double size = glm::length(glm::dvec3(lights[i])) +
+                            (lights[i].w != 0.0 ? glm::length(instance.center) + instance.radius : 0.0);
+        lights[i] += glm::dvec4(kHair * size * glm::dvec3(0.8, 0.53, -0.29), 0.0);
+    }
+    return lights;
+}
+
+/// Triangles that cast between the light and where view rays begin.
+int TileLights::layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const glm::dvec4> lights) const {
+    const auto& [geometry, silhouettes, group, eye, eyeConstant] = scene;
+    std::atomic<int> layers = 0;
+    tbb::parallel_for(std::uint32_t(0), geometry.triangleChunkCount(), [&](std::uint32_t chunk) {
+        const std::uint32_t i = geometry.triangleChunks()[chunk];
+        const InstanceInView& view = instances_[i];
+        const glm::dvec4 light = lights[i];
+        if (!eye.perspective && light.w == 0.0) return;  // two points at infinity
+        const glm::dvec3 origin = eye.perspective ? glm::dvec3(0.0) : glm::dvec3(light);
+        const glm::dvec3 d = eye.perspective ? glm::dvec3(light) : glm::dvec3(0.0, 0.0, 1.0);
+        const double along = glm::dot(view.center - origin, d) / glm::dot(d, d);
+        const bool ends = eye.perspective && light.w != 0.0;
+        const glm::dvec3 nearest = origin + std::clamp(along, 0.0, ends ? 1.0 : std::max(along, 0.0)) * d;
+        if (glm::distance(nearest, view.center) > 1.001 * view.radius) return;
+        const gpu::InstanceData& instance = geometry.instances()[i];
+        const std::uint32_t first = chunk * CHUNK_SIZE - instance.placedTriangleBase;
+        const std::uint32_t count = std::min<std::uint32_t>(CHUNK_SIZE, instance.triangleCount - first);
+        for (std::uint32_t t = first; t < first + count; ++t) {
+            const glm::uvec2 sides = scene.facing(instance.placedTriangleBase + t) >> l & 1u;
+            if (sides.x == sides.y) continue;
+            if ((geometry.triangleFlags()[instance.triangleBase + t] & TRIANGLE_CASTS) == 0) continue;
+            const auto corners = silhouettes.hostTriangles.corners(geometry, i, t);
+            const Corners v{view.of(corners[0]), view.of(corners[1]), view.of(corners[2])};
+            const bool lightInFront = (sides.x != 0) != view.mirrored;
+            const bool eyeInFront = awayOf(eye, glm::cross(v[1] - v[0], v[2] - v[0]), v[0]) <= 0.0;
+            layers += lightInFront != eyeInFront && crosses(origin, d, v);
+        }
+    });
+    return layers;
+}
+
 void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter) {
-    const auto& [geometry, silhouettes, group, eye] = scene;
+    const auto& [geometry, silhouettes, group, eye, eyeConstant] = scene;
     const HostTriangles& triangles = silhouettes.hostTriangles;
     tbb::enumerable_thread_specific<Exposed> made;
     tbb::parallel_for(std::uint32_t(0), geometry.triangleChunkCount(), [&](std::uint32_t chunk) {
@@ -93,7 +161,7 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
         std::array<std::uint32_t, CHUNK_SIZE> front{}, back{};
         triangles.face(i, first, count, instance.eyeInModel, 1u, front.data(), back.data());
         const bool insideOut = (instance.flags & INSTANCE_INSIDE_OUT) != 0;
-        const InView view(instance);
+        const InstanceInView& view = instances_[i];
         for (std::uint32_t k = 0; k < count; ++k) {
             const std::uint32_t placed = chunk * CHUNK_SIZE + k;
             const std::uint32_t flags = geometry.triangleFlags()[instance.triangleBase + first + k];
@@ -106,10 +174,9 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
             const bool anywhere = culled || (flags & TRIANGLE_HOLED) != 0;
             if (!anywhere && !cut) continue;
             if (!mayBeNearest(inView, scene, seen)) continue;
-            const float side = sideOf(triangles.normal(i, first + k), corners[0], instance.eyeInModel);
-            if (side == 0.0f) continue;  // as the eye's constant has it
-            const int eyeFront = (side > 0.0f) != view.mirrored() ? 1 : -1;
-            if (const auto cap = tileCap(eye, inView, view.mirrored() ? -1 : 1, eyeFront,
+            const glm::dvec3 n = glm::cross(inView[1] - inView[0], inView[2] - inView[0]);
+            const int eyeFront = awayOf(eye, n, inView[0]) > 0.0 ? -1 : 1;
+            if (const auto cap = tileCap(eye, inView, view.mirrored ? -1 : 1, eyeFront,
                                          anywhere ? CapMissing::Anywhere : CapMissing::BeforeTheNear)) {
                 made.local().triangles.push_back(placed);
                 made.local().caps.push_back(*cap);
@@ -140,15 +207,16 @@ TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& s
     light.bit = 1u << l;
     tbb::enumerable_thread_specific<std::vector<TilePolygon>> made;
     std::vector<std::uint32_t> read;
+    const std::vector<glm::dvec4> lights = lightsInView(scene, scene.group.first + l);
+    if (scene.eyeConstant) light.start = layersOverEye(scene, l, lights);
     for (const CountPlan& plan : plans) {
-        light.start += plan.eyeLayers;
         for (const VolumePart& part : plan.parts) {
             if (part.kind != VolumePart::Kind::Sides) continue;
             const std::span<const std::uint32_t> entries = entriesOf(scene, l, part.what, read);
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, entries.size(), 256), [&](const auto& range) {
                 std::vector<TilePolygon>& polygons = made.local();
                 for (std::size_t k = range.begin(); k != range.end(); ++k) {
-                    const auto side = sideOf(entries[k], plan.crossings, scene.group.first + l, scene);
+                    const auto side = sideOf(entries[k], plan.crossings, scene, instances_, lights);
                     if (side) polygons.push_back(*side);
                 }
             });

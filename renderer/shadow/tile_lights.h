@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From silhouettes to what the tile counter takes. It needs no caps but of triangles that are missing from the depth
 // buffer where they are the nearest (T1), and finds those itself, one by one; and because sides and the eye's constant
-// are decided by the same determinants, it knows no hazards (T4).
+// are decided by the same determinants, in double and with the light moved by a hair, it knows no hazards (T4).
 #pragma once
 
 #include <span>
@@ -18,6 +18,7 @@ struct TileScene {
     const Silhouettes& silhouettes;
     const LightGroup& group;
     const TileEye& eye;
+    bool eyeConstant;  // off: textbook z-pass, wrong with the eye in a volume
 
     /// Bits of lights that the front and the back of a placed triangle face.
     const glm::uvec2& facing(std::uint32_t placed) const {
@@ -25,8 +26,24 @@ struct TileScene {
     }
 };
 
+/// An instance's model space as the eye sees it, and a sphere around it in view space.
+struct InstanceInView {
+    std::array<glm::dvec4, 3> rows;
+    bool mirrored = false;
+    glm::dvec3 center{0.0};
+    double radius = 0.0;
+
+    glm::dvec4 of(const glm::dvec4& p) const {
+        return {glm::dot(rows[0], p), glm::dot(rows[1], p), glm::dot(rows[2], p), p.w};
+    }
+    glm::dvec3 of(const glm::vec3& p) const { return glm::dvec3(of(glm::dvec4(p, 1.0))); }
+};
+
 class TileLights {
 public:
+    /// Once a group of lights and sample.
+    void begin(const TileScene& scene);
+
     /// Finds the casting triangles that may be nearer than what is seen: culled, with holes, or before the near plane.
     /// @param seen  at the eye's sample
     void findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter);
@@ -42,6 +59,10 @@ private:
     std::span<const std::uint32_t> entriesOf(const TileScene& scene, std::uint32_t l, std::uint32_t list,
                                              std::vector<std::uint32_t>& read) const;
 
+    std::vector<glm::dvec4> lightsInView(const TileScene& scene, std::uint32_t light) const;
+    int layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const glm::dvec4> lights) const;
+
+    std::vector<InstanceInView> instances_;
     Exposed exposed_;
 };
 

@@ -52,10 +52,10 @@ public:
     void toRows(const T* tiles, T* rows) const;
 
 private:
-    /// Calls visit(index of its first pixel here, its column and row in the picture, how many pixels of it are in it)
-    /// for each row of a tile, on several threads.
+    /// Calls visit(index of its first pixel here, its column in the picture, how many pixels of it are in it) for each
+    /// tile that a row of pixels runs through.
     template <class Visit>
-    void forTileRows(const Visit& visit) const;
+    void forTilesOfRow(int y, const Visit& visit) const;
     void findBounds();
 
     int width_, height_, columns_, rows_;

@@ -125,12 +125,11 @@ PixelFunction beforeTheNear(const TileEye& eye, PixelFunction depth) {
 
 }  // namespace
 
-std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const dvec4& light, int times,
-                                    int inside) {
+std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const dvec4& light, int times) {
     const dvec3 l(light);
     const dvec3 n = light.w != 0.0 ? cross(a - l, b - l) : cross(b - a, l);
     const dvec3 pa = onPicture(eye, dvec4(a, 1.0)), pb = onPicture(eye, dvec4(b, 1.0)), pl = onPicture(eye, light);
-    const double side = signedAs(inside, eye.perspective ? dot(cross(a, b), l) : -n.z, n);
+    const double side = eye.perspective ? dot(cross(a, b), l) : -n.z;  // positive: the eye is within
     if (side == 0.0) return std::nullopt;
     // Seen from without, view rays enter the volume there.
     const bool enters = (side < 0.0) == (times > 0);

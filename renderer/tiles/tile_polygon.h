@@ -49,11 +49,9 @@ struct TilePolygon {
 /// @param a, b  view space
 /// @param light  view space: a position, or the direction towards it (w = 0)
 /// @param times  multiplicity; negative: it runs from b to a
-/// @param inside  whether the eye is on the inner side of its plane, for times > 0: 1 or -1, as whoever found the eye's
-///                constant decided it, so that both agree however near the eye is; 0: as it looks here
 /// @return  none where nothing of it is in the picture, or it is seen exactly edge-on
 std::optional<TilePolygon> tileSide(const TileEye& eye, const glm::dvec3& a, const glm::dvec3& b,
-                                    const glm::dvec4& light, int times, int inside = 0);
+                                    const glm::dvec4& light, int times);
 
 /// Where a light cap is not in the depth buffer though it is the nearest (T1).
 enum class CapMissing {

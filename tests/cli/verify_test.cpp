@@ -96,7 +96,9 @@ TEST_F(Verify, WithoutTechniquesJudgesTheSequencesOwn) {
     writeSequence("shadow: {count: z-fail, silhouette: cpu}\n");
     EXPECT_THAT(umbrage({"verify", "seq.yaml", "--frames", "1"}).out, HasSubstr("\nseq       cpu:z-fail "));
     writeSequence();
-    EXPECT_THAT(umbrage({"verify", "seq.yaml", "--frames", "1"}).out, HasSubstr("\nseq       compute:z-pass "));
+    // What is fastest on the device.
+    EXPECT_THAT(umbrage({"verify", "seq.yaml", "--frames", "1"}).out,
+                testing::AnyOf(HasSubstr("\nseq       compute:z-pass "), HasSubstr("\nseq       cpu:z-pass ")));
 }
 
 TEST_F(Verify, OtherTechniquesCanJudgeFewerFrames) {
