@@ -146,6 +146,7 @@ TEST(Tracer, TracesAlikeWithEveryInstructionSet) {
 }
 
 TEST(Tracer, StandsStillWithItsScene) {
+    context();
     const Subject subject = ours("tree", 64, 48);
     const Moment moment = subject.moment(), later = evaluate(subject.scene, subject.animations, 0.25);
     Geometry geometry(subject.scene, moment);
