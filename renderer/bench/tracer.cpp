@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "instruction_set.h"
 #include "shading/lights.h"
 
 namespace umbrage {
@@ -59,12 +60,7 @@ std::vector<LightsReach> reachOf(const std::vector<TracerLight>& lights) {
 }  // namespace
 
 TraceTile* traceTileHere() {
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512bw")) {
-        return traceTileAvx512;
-    }
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? traceTileAvx2 : traceTileBaseline;
+    return forThisProcessor(traceTileBaseline, traceTileAvx2, traceTileAvx512);
 }
 
 void makeColorsConstant(Scene& scene) {

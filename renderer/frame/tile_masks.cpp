@@ -58,11 +58,7 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
         }
         seen_->toRows(counter_.count(*seen_, counted_).data(), dark_.data() + s * pixels);
     }
-    if (positions.size() == 1) {
-        target.masks.upload(group.first / LIGHTS_PER_GROUP, dark_);
-    } else {
-        target.masks.set(group.first / LIGHTS_PER_GROUP, dark_);
-    }
+    target.masks.set(group.first / LIGHTS_PER_GROUP, dark_);
 }
 
 std::vector<std::uint32_t> TileMasks::readCounts(std::uint32_t l) {

@@ -29,8 +29,8 @@ public:
     void count(std::span<const std::vector<CountPlan>> plans, const Geometry& geometry, const Silhouettes& silhouettes,
                const LightGroup& group, const Target& target, bool everyPixel);
 
-    /// Layers over the first sample of each pixel, of what count() took of light `l`; rows from the top. Empty if it
-    /// took nothing.
+    /// Layers over the first sample of each pixel, of light `l` of the group that was counted last, for
+    /// every pixel; rows from the top.
     std::vector<std::uint32_t> readCounts(std::uint32_t l);
 
 private:

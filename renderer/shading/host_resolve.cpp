@@ -3,21 +3,10 @@
 
 #include <tbb/parallel_for.h>
 
-#include <cmath>
-
-#include "gpu/activity.h"
+#include "instruction_set.h"
 
 namespace umbrage {
 namespace {
-
-ShadeRowFunction* shadeRowHere() {
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512bw")) {
-        return shadeRowAvx512;
-    }
-    return __builtin_cpu_supports("avx2") ? shadeRowAvx2 : shadeRowBaseline;
-}
 
 std::vector<LightsReach> reachOf(std::span<const gpu::LightData> lights) {
     std::vector<LightsReach> all;
@@ -52,7 +41,7 @@ std::vector<float> HostResolve::shade(const Input& input) {
                                                            g * input.silhouettes.facingStride);
     }
     const std::vector<LightsReach> reach = reachOf(input.lights);
-    ShadeRowFunction* const shadeRow = shadeRowHere();
+    ShadeRowFunction* const shadeRow = forThisProcessor(shadeRowBaseline, shadeRowAvx2, shadeRowAvx512);
     std::vector<float> radiance(4 * pixels);
     tbb::parallel_for(0, height, [&](int y) {
         const std::size_t first = std::size_t(y) * std::size_t(width);

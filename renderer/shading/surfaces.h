@@ -73,7 +73,7 @@ private:
     const gpu::Program& gbufferProgram(std::uint32_t textures, bool masked);
 
     // One for each set of textures that a material has: llvmpipe runs both ways of a branch, so a texture that is not
-    // there would be read all the same: without it, the G-buffer takes half the time.
+    // there would be read all the same, and the G-buffer would take twice as long.
     std::map<std::pair<std::uint32_t, bool>, gpu::Program> gbufferPrograms_;
     gpu::Program exposureProgram_{"surface.vert", "exposure.frag"};
     gpu::Program blendedProgram_{"surface.vert", "blended.frag"};

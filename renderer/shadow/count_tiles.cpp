@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// z-pass, counted by the processor tile by tile wherever no caps are needed: see tiles/tile_counter.h. It has the same
-// constant of the eye, so the same casters are counted otherwise near their volumes' faces (T4).
+// z-pass, counted by the processor tile by tile: see tiles/tile_counter.h. Only the lists of sides of its plans are
+// used; the eye's constant and the caps that are missing are found in shadow/tile_lights.
 #include "shadow/counts.h"
 
 namespace umbrage {

@@ -103,7 +103,7 @@ public:
     /// Whether it counts by parts of the casters (Silhouettes::parts).
     virtual bool byParts() const { return false; }
 
-    /// Whether the processor counts what z-pass counts without caps, see shadow/tile_lights.h.
+    /// Whether the processor counts, see shadow/tile_lights.h.
     virtual bool byTiles() const { return false; }
 
     /// The halved and the whole count of a light, as far as there is something to count.

@@ -164,6 +164,12 @@ void Masks::mark(const gpu::Program& program, const gpu::Stencil& stencil, const
 
 void Masks::set(std::uint32_t group, std::span<const std::uint32_t> bits) {
     const gpu::Texture::Size size = texture_.size();
+    if (size.samples == 1) {
+        gpu::activity().uploadedBytes += bits.size_bytes();
+        glTextureSubImage3D(texture_.name(), 0, 0, 0, GLint(group), size.width, size.height, 1, GL_RED_INTEGER,
+                            GL_UNSIGNED_INT, bits.data());
+        return;
+    }
     if (!given_.sizeBytes()) {
         givenProgram_ = gpu::Program("fullscreen.vert", "given_mask.frag", {"SAMPLES " + std::to_string(size.samples)});
     }
@@ -179,13 +185,6 @@ void Masks::set(std::uint32_t group, std::span<const std::uint32_t> bits) {
     noVertices_.bind();
     ++gpu::activity().draws;
     glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void Masks::upload(std::uint32_t group, std::span<const std::uint32_t> bits) {
-    const gpu::Texture::Size size = texture_.size();
-    gpu::activity().uploadedBytes += bits.size_bytes();
-    glTextureSubImage3D(texture_.name(), 0, 0, 0, GLint(group), size.width, size.height, 1, GL_RED_INTEGER,
-                        GL_UNSIGNED_INT, bits.data());
 }
 
 void Masks::read(std::uint32_t group, std::span<std::uint32_t> bits) const {

@@ -28,9 +28,6 @@ public:
     /// Sets all bits of a group to those given: sample after sample, rows from the top of each.
     void set(std::uint32_t group, std::span<const std::uint32_t> bits);
 
-    /// The same, of a picture with one sample a pixel. Before anything else of the group is counted.
-    void upload(std::uint32_t group, std::span<const std::uint32_t> bits);
-
     /// The bits of a group, rows from the top, of a picture with one sample a pixel. Waits.
     void read(std::uint32_t group, std::span<std::uint32_t> bits) const;
 

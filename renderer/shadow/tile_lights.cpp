@@ -12,10 +12,12 @@
 namespace umbrage {
 namespace {
 
-template <class T>
-void readFirst(const gpu::Buffer& buffer, std::size_t first, std::size_t count, std::vector<T>& to) {
-    to.resize(count);
-    buffer.read(first * sizeof(T), count * sizeof(T), to.data());
+/// What a sweep has listed for light `l` of its group.
+std::vector<std::uint32_t> entriesOf(const Silhouettes& silhouettes, std::uint32_t l, std::uint32_t list) {
+    std::vector<std::uint32_t> entries(silhouettes.hostSummaries[l].lists[list].count / 6);
+    silhouettes.quads.read(std::size_t(l * LIST_COUNT + list) * silhouettes.capacity * sizeof(std::uint32_t),
+                           entries.size() * sizeof(std::uint32_t), entries.data());
+    return entries;
 }
 
 /// Concatenates what threads have made: sums have no order.
@@ -29,8 +31,7 @@ using Corners = std::array<glm::dvec3, 3>;
 /// Far below what floats can tell, far above what doubles round.
 constexpr double kHair = 1e-10;
 
-/// Where the eye is from a triangle's plane: positive where its corners run clockwise. Never 0: on the plane it is in
-/// front.
+/// Where the eye is from a triangle's plane: positive where its corners run clockwise, 0 on it.
 /// @param n  normal, of the side from which they run counterclockwise
 double awayOf(const TileEye& eye, const glm::dvec3& n, const glm::dvec3& corner) {
     return eye.perspective ? glm::dot(n, corner) : -n.z;
@@ -175,7 +176,7 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
             if (!anywhere && !cut) continue;
             if (!mayBeNearest(inView, scene, seen)) continue;
             const glm::dvec3 n = glm::cross(inView[1] - inView[0], inView[2] - inView[0]);
-            const int eyeFront = awayOf(eye, n, inView[0]) > 0.0 ? -1 : 1;
+            const int eyeFront = awayOf(eye, n, inView[0]) > 0.0 ? -1 : 1;  // as layersOverEye()
             if (const auto cap = tileCap(eye, inView, view.mirrored ? -1 : 1, eyeFront,
                                          anywhere ? CapMissing::Anywhere : CapMissing::BeforeTheNear)) {
                 made.local().triangles.push_back(placed);
@@ -194,25 +195,16 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
     }
 }
 
-std::span<const std::uint32_t> TileLights::entriesOf(const TileScene& scene, std::uint32_t l, std::uint32_t list,
-                                                     std::vector<std::uint32_t>& read) const {
-    const Silhouettes& silhouettes = scene.silhouettes;
-    readFirst(silhouettes.quads, std::size_t(l * LIST_COUNT + list) * silhouettes.capacity,
-              silhouettes.hostSummaries[l].lists[list].count / 6, read);
-    return read;
-}
-
 TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& scene, std::uint32_t l) const {
     TileLight light;
     light.bit = 1u << l;
     tbb::enumerable_thread_specific<std::vector<TilePolygon>> made;
-    std::vector<std::uint32_t> read;
     const std::vector<glm::dvec4> lights = lightsInView(scene, scene.group.first + l);
     if (scene.eyeConstant) light.start = layersOverEye(scene, l, lights);
     for (const CountPlan& plan : plans) {
         for (const VolumePart& part : plan.parts) {
             if (part.kind != VolumePart::Kind::Sides) continue;
-            const std::span<const std::uint32_t> entries = entriesOf(scene, l, part.what, read);
+            const std::vector<std::uint32_t> entries = entriesOf(scene.silhouettes, l, part.what);
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, entries.size(), 256), [&](const auto& range) {
                 std::vector<TilePolygon>& polygons = made.local();
                 for (std::size_t k = range.begin(); k != range.end(); ++k) {

@@ -56,9 +56,6 @@ private:
         std::vector<std::uint32_t> triangles;  // placed
         std::vector<TilePolygon> caps;         // of them, as if the light were in front
     };
-    std::span<const std::uint32_t> entriesOf(const TileScene& scene, std::uint32_t l, std::uint32_t list,
-                                             std::vector<std::uint32_t>& read) const;
-
     std::vector<glm::dvec4> lightsInView(const TileScene& scene, std::uint32_t light) const;
     int layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const glm::dvec4> lights) const;
 

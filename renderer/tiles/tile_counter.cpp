@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "instruction_set.h"
+
 namespace umbrage {
 namespace {
 
@@ -45,12 +47,7 @@ private:
 }  // namespace
 
 CountBand* countBandHere() {
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx512bw")) {
-        return countBandAvx512;
-    }
-    return __builtin_cpu_supports("avx2") ? countBandAvx2 : countBandBaseline;
+    return forThisProcessor(countBandBaseline, countBandAvx2, countBandAvx512);
 }
 
 const std::vector<std::uint32_t>& TileCounter::count(const SeenTiles& seen, std::span<const TileLight> lights) {

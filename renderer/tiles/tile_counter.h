@@ -34,7 +34,7 @@ public:
     /// has.
     const std::vector<std::uint32_t>& count(const SeenTiles& seen, std::span<const TileLight> lights);
 
-    /// Of the light that was counted last, tile by tile.
+    /// Counts of one light, tile by tile.
     /// @param seen  all of whose pixels may be lit by it
     std::vector<std::int32_t> countsOf(const SeenTiles& seen, const TileLight& light);
 

@@ -33,6 +33,7 @@ PixelFunction times(const PixelFunction& f, double factor) {
     return {f.x * factor, f.y * factor, f.c * factor};
 }
 
+/// The side a sample on the border itself is on: that of a place moved a little along the row, then along the column.
 bool zeroIsInside(const TileEye& eye, const PixelFunction& f) {
     for (const double k : {f.x * eye.ties.x, f.y * eye.ties.y, f.c}) {
         if (k != 0.0) return k > 0.0;

@@ -29,14 +29,13 @@ struct PixelFunction {
     double x = 0.0, y = 0.0, c = 0.0;
 };
 
+inline constexpr int kTileSize = 8, kBlockSize = 64;  // pixels along a side
 /// One function more than borders: the last is the depth, which is greater where it is nearer: 1/metre along the view
 /// axis, or for an orthographic eye metres towards the viewer.
-inline constexpr int kTileSize = 8, kBlockSize = 64;  // pixels along a side
 inline constexpr int kTileBorders = 3, kTileFunctions = kTileBorders + 1;
 
 /// Covers pixels where every border is at least its threshold, which is 0, or the least number above for those that
-/// leave their own zero to the neighbour. A side has no far border: beyond its
-/// horizon it is behind everything.
+/// leave their own zero to the neighbour. A side has no far border: beyond its horizon it is behind everything.
 struct TilePolygon {
     PixelFunction functions[kTileFunctions];
     float margins[kTileFunctions]{};  // what rounding may do to each when it is evaluated in float
@@ -59,7 +58,7 @@ enum class CapMissing {
     BeforeTheNear  // only what the near plane cuts off
 };
 
-/// @param corners  view space
+/// A light cap. @param corners  view space
 /// @param light  +1 if the light is on the side from which they run counterclockwise, else -1
 /// @param front  1 if the eye is on that side, -1 if not; 0: as it looks here
 std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<glm::dvec3, 3>& corners, int light,

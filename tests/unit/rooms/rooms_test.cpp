@@ -35,7 +35,8 @@ TEST(Rooms, IncludeOnlyRoomsBelow) {
     for (std::size_t r = 0; r < rooms.size(); ++r) {
         for (const auto& entry :
              fs::recursive_directory_iterator(fs::path(UMBRAGE_SOURCE_DIR) / "renderer" / rooms[r])) {
-            if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+            const fs::path kind = entry.path().extension();
+            if (kind != ".cpp" && kind != ".h" && kind != ".inl") continue;
             std::istringstream lines(textOf(entry.path()));
             for (std::string line; std::getline(lines, line);) {
                 if (line.rfind("#include \"", 0) != 0) continue;
