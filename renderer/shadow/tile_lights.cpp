@@ -26,28 +26,19 @@ void takeAll(tbb::enumerable_thread_specific<std::vector<T>>& made, std::vector<
     for (const std::vector<T>& some : made) to.insert(to.end(), some.begin(), some.end());
 }
 
-using Corners = std::array<glm::dvec3, 3>;
-
 /// Far below what floats can tell, far above what doubles round.
 constexpr double kHair = 1e-10;
 
-/// Where the eye is from a triangle's plane: positive where its corners run clockwise, 0 on it.
-/// @param n  normal, of the side from which they run counterclockwise
-double awayOf(const TileEye& eye, const glm::dvec3& n, const glm::dvec3& corner) {
-    return eye.perspective ? glm::dot(n, corner) : -n.z;
-}
-
-/// Whether the line from `origin` along `d` passes through the triangle.
-bool crosses(const glm::dvec3& origin, const glm::dvec3& d, const Corners& v) {
+/// Whether the line from the eye to the light passes through the triangle; of an orthographic eye the view ray that
+/// meets the light.
+bool crosses(const TileEye& eye, const TileCorners& v, const TileSource& source) {
     int positive = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        positive += glm::dot(glm::cross(v[i] - origin, v[(i + 1) % 3] - origin), d) > 0.0;
-    }
+    for (std::size_t i = 0; i < 3; ++i) positive += eyeBeside(eye, v[i], v[(i + 1) % 3], source) > 0.0;
     return positive % 3 == 0;
 }
 
 std::optional<TilePolygon> sideOf(std::uint32_t entry, int crossings, const TileScene& scene,
-                                  std::span<const InstanceInView> instances, std::span<const glm::dvec4> lights) {
+                                  std::span<const InstanceInView> instances, std::span<const TileSource> sources) {
     const Geometry& geometry = scene.geometry;
     const std::uint32_t placed = (entry & ~QUAD_OF_RIGHT) >> 1;
     const std::uint32_t i = geometry.edgeChunks()[placed >> CHUNK_SHIFT];
@@ -57,12 +48,12 @@ std::optional<TilePolygon> sideOf(std::uint32_t entry, int crossings, const Tile
     const bool reversed = ((entry & 1u) != 0) != view.mirrored;
     const HostTriangles& triangles = scene.silhouettes.hostTriangles;
     return tileSide(scene.eye, view.of(triangles.position(instance.vertexBase + edge.a)),
-                    view.of(triangles.position(instance.vertexBase + edge.b)), lights[i],
+                    view.of(triangles.position(instance.vertexBase + edge.b)), sources[i],
                     reversed ? -crossings : crossings);
 }
 
 /// The pixels and the depth that a triangle may have.
-bool mayBeNearest(const std::array<glm::dvec3, 3>& corners, const TileScene& scene, const SeenTiles& seen) {
+bool mayBeNearest(const TileCorners& corners, const TileScene& scene, const SeenTiles& seen) {
     const TileEye& eye = scene.eye;
     glm::dvec2 low(HUGE_VAL), high(-HUGE_VAL);
     double nearest = -HUGE_VAL;
@@ -82,6 +73,10 @@ bool mayBeNearest(const std::array<glm::dvec3, 3>& corners, const TileScene& sce
 
 }  // namespace
 
+glm::dvec3 InstanceInView::eyeHair() const {
+    return kHair * farthestMetres() * glm::dvec3(-0.37, 0.71, 0.59);
+}
+
 void TileLights::begin(const TileScene& scene) {
     instances_.resize(scene.geometry.instanceCount());
     tbb::parallel_for(std::size_t(0), instances_.size(), [&](std::size_t i) {
@@ -95,37 +90,33 @@ void TileLights::begin(const TileScene& scene) {
         for (const glm::dvec3& corner : cornersOf(box)) {
             instance.radius = std::max(instance.radius, glm::distance(instance.of(glm::vec3(corner)), instance.center));
         }
-        // The eye is moved by a hair, so that it is on no edge or corner.
-        const double size = glm::length(instance.center) + instance.radius;
-        const glm::dvec3 aside = kHair * size * glm::dvec3(-0.37, 0.71, 0.59);
-        for (int r = 0; r < 3; ++r) instance.rows[std::size_t(r)].w += aside[r];
     });
 }
 
-/// A light in view space as an instance's volumes have it: moved by a hair, across everything, so that no side passes
-/// through the eye, nor any edge or corner through the line from eye to light. Shadows move by less than floats can
-/// tell.
-std::vector<glm::dvec4> TileLights::lightsInView(const TileScene& scene, std::uint32_t light) const {
-    std::vector<glm::dvec4> lights(instances_.size());
-    for (std::size_t i = 0; i < lights.size(); ++i) {
+/// A light as each instance's volumes have it.
+std::vector<TileSource> TileLights::sourcesInView(const TileScene& scene, std::uint32_t light) const {
+    std::vector<TileSource> sources(instances_.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
         const InstanceInView& instance = instances_[i];
         const Silhouettes& silhouettes = scene.silhouettes;
-        lights[i] = instance.of(glm::dvec4(silhouettes.hostLightsInModel[i * silhouettes.totalLights + light]));
-        const double size = glm::length(glm::dvec3(lights[i])) +
-                            (lights[i].w != 0.0 ? glm::length(instance.center) + instance.radius : 0.0);
-        lights[i] += glm::dvec4(kHair * size * glm::dvec3(0.8, 0.53, -0.29), 0.0);
+        TileSource& source = sources[i];
+        source.light = instance.of(glm::dvec4(silhouettes.hostLightsInModel[i * silhouettes.totalLights + light]));
+        source.eyeHair = instance.eyeHair();
+        const double size =
+            glm::length(glm::dvec3(source.light)) + (source.light.w != 0.0 ? instance.farthestMetres() : 0.0);
+        source.lightHair = kHair * size * glm::dvec3(0.8, 0.53, -0.29);
     }
-    return lights;
+    return sources;
 }
 
 /// Triangles that cast between the light and where view rays begin.
-int TileLights::layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const glm::dvec4> lights) const {
+int TileLights::layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const TileSource> sources) const {
     const auto& [geometry, silhouettes, group, eye, eyeConstant] = scene;
     std::atomic<int> layers = 0;
     tbb::parallel_for(std::uint32_t(0), geometry.triangleChunkCount(), [&](std::uint32_t chunk) {
         const std::uint32_t i = geometry.triangleChunks()[chunk];
         const InstanceInView& view = instances_[i];
-        const glm::dvec4 light = lights[i];
+        const glm::dvec4 light = sources[i].light;
         if (!eye.perspective && light.w == 0.0) return;  // two points at infinity
         const glm::dvec3 origin = eye.perspective ? glm::dvec3(0.0) : glm::dvec3(light);
         const glm::dvec3 d = eye.perspective ? glm::dvec3(light) : glm::dvec3(0.0, 0.0, 1.0);
@@ -141,10 +132,10 @@ int TileLights::layersOverEye(const TileScene& scene, std::uint32_t l, std::span
             if (sides.x == sides.y) continue;
             if ((geometry.triangleFlags()[instance.triangleBase + t] & TRIANGLE_CASTS) == 0) continue;
             const auto corners = silhouettes.hostTriangles.corners(geometry, i, t);
-            const Corners v{view.of(corners[0]), view.of(corners[1]), view.of(corners[2])};
+            const TileCorners v{view.of(corners[0]), view.of(corners[1]), view.of(corners[2])};
             const bool lightInFront = (sides.x != 0) != view.mirrored;
-            const bool eyeInFront = awayOf(eye, glm::cross(v[1] - v[0], v[2] - v[0]), v[0]) <= 0.0;
-            layers += lightInFront != eyeInFront && crosses(origin, d, v);
+            const bool eyeInFront = eyeBehind(eye, v, sources[i].eyeHair) <= 0.0;
+            layers += lightInFront != eyeInFront && crosses(eye, v, sources[i]);
         }
     });
     return layers;
@@ -170,14 +161,12 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
             const bool turnedAway = (insideOut ? front[k] : back[k]) != 0;
             const bool culled = (flags & TRIANGLE_SINGLE_SIDED) != 0 && turnedAway;
             const auto corners = triangles.corners(geometry, i, first + k);
-            const std::array<glm::dvec3, 3> inView{view.of(corners[0]), view.of(corners[1]), view.of(corners[2])};
+            const TileCorners inView{view.of(corners[0]), view.of(corners[1]), view.of(corners[2])};
             const bool cut = std::ranges::any_of(inView, [&](const glm::dvec3& p) { return -p.z < eye.znear; });
             const bool anywhere = culled || (flags & TRIANGLE_HOLED) != 0;
             if (!anywhere && !cut) continue;
             if (!mayBeNearest(inView, scene, seen)) continue;
-            const glm::dvec3 n = glm::cross(inView[1] - inView[0], inView[2] - inView[0]);
-            const int eyeFront = awayOf(eye, n, inView[0]) > 0.0 ? -1 : 1;  // as layersOverEye()
-            if (const auto cap = tileCap(eye, inView, view.mirrored ? -1 : 1, eyeFront,
+            if (const auto cap = tileCap(eye, inView, view.mirrored ? -1 : 1, view.eyeHair(),
                                          anywhere ? CapMissing::Anywhere : CapMissing::BeforeTheNear)) {
                 made.local().triangles.push_back(placed);
                 made.local().caps.push_back(*cap);
@@ -199,8 +188,8 @@ TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& s
     TileLight light;
     light.bit = 1u << l;
     tbb::enumerable_thread_specific<std::vector<TilePolygon>> made;
-    const std::vector<glm::dvec4> lights = lightsInView(scene, scene.group.first + l);
-    if (scene.eyeConstant) light.start = layersOverEye(scene, l, lights);
+    const std::vector<TileSource> sources = sourcesInView(scene, scene.group.first + l);
+    if (scene.eyeConstant) light.start = layersOverEye(scene, l, sources);
     for (const CountPlan& plan : plans) {
         for (const VolumePart& part : plan.parts) {
             if (part.kind != VolumePart::Kind::Sides) continue;
@@ -208,7 +197,7 @@ TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& s
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, entries.size(), 256), [&](const auto& range) {
                 std::vector<TilePolygon>& polygons = made.local();
                 for (std::size_t k = range.begin(); k != range.end(); ++k) {
-                    const auto side = sideOf(entries[k], plan.crossings, scene, instances_, lights);
+                    const auto side = sideOf(entries[k], plan.crossings, scene, instances_, sources);
                     if (side) polygons.push_back(*side);
                 }
             });

@@ -37,6 +37,8 @@ struct InstanceInView {
         return {glm::dot(rows[0], p), glm::dot(rows[1], p), glm::dot(rows[2], p), p.w};
     }
     glm::dvec3 of(const glm::vec3& p) const { return glm::dvec3(of(glm::dvec4(p, 1.0))); }
+    double farthestMetres() const { return glm::length(center) + radius; }
+    glm::dvec3 eyeHair() const;
 };
 
 class TileLights {
@@ -56,8 +58,8 @@ private:
         std::vector<std::uint32_t> triangles;  // placed
         std::vector<TilePolygon> caps;         // of them, as if the light were in front
     };
-    std::vector<glm::dvec4> lightsInView(const TileScene& scene, std::uint32_t light) const;
-    int layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const glm::dvec4> lights) const;
+    std::vector<TileSource> sourcesInView(const TileScene& scene, std::uint32_t light) const;
+    int layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const TileSource> sources) const;
 
     std::vector<InstanceInView> instances_;
     Exposed exposed_;

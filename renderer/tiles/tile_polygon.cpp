@@ -15,6 +15,8 @@ using glm::dot;
 using glm::dvec3;
 using glm::dvec4;
 
+// A determinant tells nothing where it is less than this share of what the hairs do to it: doubles round less.
+constexpr double kTells = 0x1p-13;
 constexpr double kFloatRounding = 0x1p-20;  // of a sum of three terms and the offsets within a block, generously
 
 /// What a point of homogeneous view space is to lines on the picture.
@@ -54,11 +56,9 @@ float marginOf(const TileEye& eye, const PixelFunction& f) {
     return float(kFloatRounding * (std::abs(f.x) * eye.width + std::abs(f.y) * eye.height + std::abs(f.c)));
 }
 
-/// How far the eye is from a plane with normal n, in units of n: as computed, but with the sign that somebody else has
-/// decided, and then not so near that floats cannot hold what follows.
-double signedAs(int sign, double distance, const dvec3& n) {
-    if (sign == 0) return distance;
-    return sign * std::max(std::abs(distance), 1e-25 * length(n));
+/// A distance from a plane with normal n, in units of n, that floats can hold what it divides of.
+double notTooSmall(double distance, const dvec3& n) {
+    return std::copysign(std::max(std::abs(distance), 1e-25 * length(n)), distance);
 }
 
 /// Depth of the plane with normal n through p. @param k  n . p for a perspective eye, -n.z for an orthographic one
@@ -124,33 +124,72 @@ PixelFunction beforeTheNear(const TileEye& eye, PixelFunction depth) {
     return depth;
 }
 
+/// The line on the picture through two points on it, as onPicture() has them.
+/// @param hairP, hairQ  by which they move
+dvec3 lineThrough(const dvec3& p, const dvec3& q, const dvec3& hairP, const dvec3& hairQ) {
+    const dvec3 line = cross(p, q);
+    if (length(line) > kTells * (length(hairP) * length(q) + length(hairQ) * length(p))) return line;
+    return cross(p + hairP, q + hairQ);
+}
+
 }  // namespace
 
-std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const dvec4& light, int times) {
-    const dvec3 l(light);
-    const dvec3 n = light.w != 0.0 ? cross(a - l, b - l) : cross(b - a, l);
-    const dvec3 pa = onPicture(eye, dvec4(a, 1.0)), pb = onPicture(eye, dvec4(b, 1.0)), pl = onPicture(eye, light);
-    const double side = eye.perspective ? dot(cross(a, b), l) : -n.z;  // positive: the eye is within
+double eyeBeside(const TileEye& eye, const dvec3& a, const dvec3& b, const TileSource& source) {
+    const double hair = length(source.eyeHair), lightHair = length(source.lightHair), w = source.light.w;
+    const dvec3 l(source.light), moved(source.movedLight());
+    if (eye.perspective) {
+        const double beside = dot(cross(a, b), l), la = length(a), lb = length(b);
+        if (std::abs(beside) > kTells * (hair * (la + lb) * length(l) + lightHair * la * lb)) return beside;
+        return dot(cross(a + source.eyeHair, b + source.eyeHair), moved);
+    }
+    const auto besideOf = [&](const dvec3& light) {
+        return w != 0.0 ? cross(a - light, b - light) : cross(b - a, light);
+    };
+    const double beside = -besideOf(l).z, size = w != 0.0 ? length(a - l) + length(b - l) : length(b - a) + length(l);
+    if (std::abs(beside) > kTells * (hair + lightHair) * size) return beside;
+    return -besideOf(moved).z;
+}
+
+double eyeBehind(const TileEye& eye, const TileCorners& corners, const dvec3& eyeHair) {
+    const dvec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if (!eye.perspective) return -n.z;
+    const double behind = dot(n, corners[0]);
+    if (std::abs(behind) > kTells * length(eyeHair) * length(n)) return behind;
+    return behind + dot(n, eyeHair);
+}
+
+std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const TileSource& source,
+                                    int times) {
+    const dvec3 l(source.light);
+    const dvec3 n = source.light.w != 0.0 ? cross(a - l, b - l) : cross(b - a, l);
+    const dvec3 pa = onPicture(eye, dvec4(a, 1.0)), pb = onPicture(eye, dvec4(b, 1.0)),
+                pl = onPicture(eye, source.light);
+    const dvec3 hair = onPicture(eye, dvec4(source.eyeHair, 0.0)),
+                lightHair = onPicture(eye, source.movedLight() - source.light);
+    const double side = eyeBeside(eye, a, b, source);  // positive: the eye is within
     if (side == 0.0) return std::nullopt;
     // Seen from without, view rays enter the volume there.
     const bool enters = (side < 0.0) == (times > 0);
-    return polygonOf(eye, {cross(pa, pb), cross(pl, pb), cross(pa, pl)}, side < 0.0 ? 1.0 : -1.0,
-                     depthOf(eye, n, a, side), enters ? std::abs(times) : -std::abs(times));
+    return polygonOf(
+        eye,
+        {lineThrough(pa, pb, hair, hair), lineThrough(pl, pb, lightHair, hair), lineThrough(pa, pl, hair, lightHair)},
+        side < 0.0 ? 1.0 : -1.0, depthOf(eye, n, a, notTooSmall(side, n)), enters ? std::abs(times) : -std::abs(times));
 }
 
-std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<dvec3, 3>& corners, int light, int front,
+std::optional<TilePolygon> tileCap(const TileEye& eye, const TileCorners& corners, int light, const dvec3& eyeHair,
                                    CapMissing missing) {
     const auto& [a, b, c] = corners;
     const dvec3 pa = onPicture(eye, dvec4(a, 1.0)), pb = onPicture(eye, dvec4(b, 1.0)),
-                pc = onPicture(eye, dvec4(c, 1.0));
+                pc = onPicture(eye, dvec4(c, 1.0)), hair = onPicture(eye, dvec4(eyeHair, 0.0));
     const dvec3 n = cross(b - a, c - a);
-    const double away = signedAs(-front, eye.perspective ? dot(n, a) : -n.z, n);
-    if (away == 0.0) return std::nullopt;
-    const bool enters = (away < 0.0) == (light > 0);
-    const PixelFunction depth = depthOf(eye, n, a, away);
-    return polygonOf(eye, {cross(pa, pb), cross(pb, pc), cross(pc, pa)}, away > 0.0 ? 1.0 : -1.0,
-                     missing == CapMissing::Anywhere ? pushedBack(eye, depth) : beforeTheNear(eye, depth),
-                     enters ? 1 : -1);
+    const double behind = eyeBehind(eye, corners, eyeHair);
+    if (behind == 0.0) return std::nullopt;
+    const bool enters = (behind < 0.0) == (light > 0);
+    const PixelFunction depth = depthOf(eye, n, a, notTooSmall(behind, n));
+    return polygonOf(
+        eye, {lineThrough(pa, pb, hair, hair), lineThrough(pb, pc, hair, hair), lineThrough(pc, pa, hair, hair)},
+        behind > 0.0 ? 1.0 : -1.0, missing == CapMissing::Anywhere ? pushedBack(eye, depth) : beforeTheNear(eye, depth),
+        enters ? 1 : -1);
 }
 
 }  // namespace umbrage

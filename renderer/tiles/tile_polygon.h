@@ -44,13 +44,32 @@ struct TilePolygon {
     std::uint64_t rows = 0;     // of blocks that it may touch, one bit each; bit 63 stands for all from there on
 };
 
+/// In view space.
+using TileCorners = std::array<glm::dvec3, 3>;
+
+/// A light, and hairs by which eye and light are moved where a determinant would be zero: the eye on a plane, an edge
+/// or a corner, or these in line with the light. All polygons of a closed volume need the same.
+struct TileSource {
+    glm::dvec4 light{0.0};    // view space: a position, or the direction towards it (w = 0)
+    glm::dvec3 eyeHair{0.0};  // by which everything else is moved
+    glm::dvec3 lightHair{0.0};
+
+    glm::dvec4 movedLight() const { return light + glm::dvec4(light.w * eyeHair + lightHair, 0.0); }
+};
+
+/// On which side of the plane through the light and the edge from a to b the eye is: positive where a surface along the
+/// edge that faces the light has it in its volume. Changes its sign with the edge's direction.
+double eyeBeside(const TileEye& eye, const glm::dvec3& a, const glm::dvec3& b, const TileSource& source);
+
+/// On which side of a triangle the eye is: positive where its corners run clockwise, 0 on it if there is no hair.
+double eyeBehind(const TileEye& eye, const TileCorners& corners, const glm::dvec3& eyeHair);
+
 /// The infinite quad behind an edge that the surface facing the light runs along from a to b.
 /// @param a, b  view space
-/// @param light  view space: a position, or the direction towards it (w = 0)
 /// @param times  multiplicity; negative: it runs from b to a
 /// @return  none where nothing of it is in the picture, or it is seen exactly edge-on
 std::optional<TilePolygon> tileSide(const TileEye& eye, const glm::dvec3& a, const glm::dvec3& b,
-                                    const glm::dvec4& light, int times);
+                                    const TileSource& source, int times);
 
 /// Where a light cap is not in the depth buffer though it is the nearest (T1).
 enum class CapMissing {
@@ -58,10 +77,10 @@ enum class CapMissing {
     BeforeTheNear  // only what the near plane cuts off
 };
 
-/// A light cap. @param corners  view space
-/// @param light  +1 if the light is on the side from which they run counterclockwise, else -1
-/// @param front  1 if the eye is on that side, -1 if not; 0: as it looks here
-std::optional<TilePolygon> tileCap(const TileEye& eye, const std::array<glm::dvec3, 3>& corners, int light,
-                                   int front = 0, CapMissing missing = CapMissing::Anywhere);
+/// A light cap.
+/// @param light  +1 if the light is on the side from which the corners run counterclockwise, else -1
+std::optional<TilePolygon> tileCap(const TileEye& eye, const TileCorners& corners, int light,
+                                   const glm::dvec3& eyeHair = glm::dvec3(0.0),
+                                   CapMissing missing = CapMissing::Anywhere);
 
 }  // namespace umbrage

@@ -92,7 +92,7 @@ TileLight lightOf(const Soup& soup) {
         const dvec3 n = glm::cross(t[1] - t[0], t[2] - t[0]);
         const int facing = glm::dot(n, dvec3(soup.light) - soup.light.w * t[0]) > 0.0 ? 1 : -1;
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto side = tileSide(soup.eye, t[i], t[(i + 1) % 3], soup.light, facing);
+            const auto side = tileSide(soup.eye, t[i], t[(i + 1) % 3], {soup.light}, facing);
             if (side) light.polygons.push_back(*side);
         }
         if (const auto cap = tileCap(soup.eye, t, facing)) light.polygons.push_back(*cap);
@@ -201,7 +201,7 @@ TEST(TilePolygon, LeavesASharedBorderToOneOfBoth) {
         const dvec3 left(-20.0, 0.5, -5.0), middle(0.5, 0.5, -5.0), right(20.0, 0.5, -5.0);
         const dvec4 light(0.0, 1.0, 0.01, 0.0);
         TileLight lit;
-        lit.polygons = {*tileSide(eye, left, middle, light, 1), *tileSide(eye, middle, right, light, 1)};
+        lit.polygons = {*tileSide(eye, left, middle, {light}, 1), *tileSide(eye, middle, right, {light}, 1)};
         SeenPicture picture;
         const std::vector<std::uint32_t> triangles(64 * 64, 0);
         const std::vector<float> depths(64 * 64, -1000.0f);
