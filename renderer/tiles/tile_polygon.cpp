@@ -136,18 +136,18 @@ dvec3 lineThrough(const dvec3& p, const dvec3& q, const dvec3& hairP, const dvec
 
 double eyeBeside(const TileEye& eye, const dvec3& a, const dvec3& b, const TileSource& source) {
     const double hair = length(source.eyeHair), lightHair = length(source.lightHair), w = source.light.w;
-    const dvec3 l(source.light), moved(source.movedLight());
+    const dvec3 l(source.light);
     if (eye.perspective) {
         const double beside = dot(cross(a, b), l), la = length(a), lb = length(b);
         if (std::abs(beside) > kTells * (hair * (la + lb) * length(l) + lightHair * la * lb)) return beside;
-        return dot(cross(a + source.eyeHair, b + source.eyeHair), moved);
+        return dot(cross(a + source.eyeHair, b + source.eyeHair), dvec3(source.movedLight()));
     }
     const auto besideOf = [&](const dvec3& light) {
         return w != 0.0 ? cross(a - light, b - light) : cross(b - a, light);
     };
     const double beside = -besideOf(l).z, size = w != 0.0 ? length(a - l) + length(b - l) : length(b - a) + length(l);
     if (std::abs(beside) > kTells * (hair + lightHair) * size) return beside;
-    return -besideOf(moved).z;
+    return -besideOf(l + source.lightHair).z;  // differences, which the eye's hair does not change
 }
 
 double eyeBehind(const TileEye& eye, const TileCorners& corners, const dvec3& eyeHair) {
