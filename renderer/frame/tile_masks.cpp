@@ -49,7 +49,7 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
         lights_.findExposed(scene, *seen_, counter_);
         counted_.clear();
         for (std::uint32_t l = 0; l < plans.size(); ++l) {
-            TileLight light = lights_.light(plans[l], scene, l);
+            TileLight light = lights_.light(plans[l], scene, *seen_, l);
             const gpu::LightData& data = target.lights[l];
             light.position = glm::vec3(data.position);
             const bool hasRange = data.position.w != 0.0f && data.direction.w > 0.0f;

@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "shadow/bounds.h"
+#include "tiles/rim.h"
 
 namespace umbrage {
 namespace {
@@ -37,20 +38,29 @@ bool crosses(const TileEye& eye, const TileCorners& v, const TileSource& source)
     return positive % 3 == 0;
 }
 
-std::optional<TilePolygon> sideOf(std::uint32_t entry, int crossings, const TileScene& scene,
-                                  std::span<const InstanceInView> instances, std::span<const TileSource> sources) {
-    const Geometry& geometry = scene.geometry;
-    const std::uint32_t placed = (entry & ~QUAD_OF_RIGHT) >> 1;
-    const std::uint32_t i = geometry.edgeChunks()[placed >> CHUNK_SHIFT];
-    const gpu::InstanceData& instance = geometry.instances()[i];
-    const gpu::Edge& edge = geometry.edges()[instance.edgeBase + placed - instance.placedEdgeBase];
-    const InstanceInView& view = instances[i];
-    const bool reversed = ((entry & 1u) != 0) != view.mirrored;
-    const HostTriangles& triangles = scene.silhouettes.hostTriangles;
-    return tileSide(scene.eye, view.of(triangles.position(instance.vertexBase + edge.a)),
-                    view.of(triangles.position(instance.vertexBase + edge.b)), sources[i],
-                    reversed ? -crossings : crossings);
-}
+/// An edge that a sweep has listed.
+struct ListedEdge {
+    std::uint32_t instance;
+    const gpu::Edge& edge;
+    glm::dvec3 a, b;  // view space
+
+    ListedEdge(std::uint32_t entry, const TileScene& scene, std::span<const InstanceInView> instances)
+        : ListedEdge((entry & ~QUAD_OF_RIGHT) >> 1,
+                     scene.geometry.edgeChunks()[(entry & ~QUAD_OF_RIGHT) >> 1 >> CHUNK_SHIFT], scene, instances) {}
+
+private:
+    ListedEdge(std::uint32_t placed, std::uint32_t i, const TileScene& scene, std::span<const InstanceInView> instances)
+        : instance(i), edge(edgeOf(placed, i, scene.geometry)) {
+        const std::uint32_t base = scene.geometry.instances()[i].vertexBase;
+        a = instances[i].of(scene.silhouettes.hostTriangles.position(base + edge.a));
+        b = instances[i].of(scene.silhouettes.hostTriangles.position(base + edge.b));
+    }
+
+    static const gpu::Edge& edgeOf(std::uint32_t placed, std::uint32_t i, const Geometry& geometry) {
+        const gpu::InstanceData& instance = geometry.instances()[i];
+        return geometry.edges()[instance.edgeBase + placed - instance.placedEdgeBase];
+    }
+};
 
 /// The pixels and the depth that a triangle may have.
 bool mayBeNearest(const TileCorners& corners, const TileScene& scene, const SeenTiles& seen) {
@@ -128,12 +138,12 @@ int TileLights::layersOverEye(const TileScene& scene, std::uint32_t l, std::span
         const std::uint32_t first = chunk * CHUNK_SIZE - instance.placedTriangleBase;
         const std::uint32_t count = std::min<std::uint32_t>(CHUNK_SIZE, instance.triangleCount - first);
         for (std::uint32_t t = first; t < first + count; ++t) {
-            const glm::uvec2 sides = scene.facing(instance.placedTriangleBase + t) >> l & 1u;
-            if (sides.x == sides.y) continue;
+            const int facing = scene.sideFacing(instance.placedTriangleBase + t, l);
+            if (facing == 0) continue;
             if ((geometry.triangleFlags()[instance.triangleBase + t] & TRIANGLE_CASTS) == 0) continue;
             const auto corners = silhouettes.hostTriangles.corners(geometry, i, t);
             const TileCorners v{view.of(corners[0]), view.of(corners[1]), view.of(corners[2])};
-            const bool lightInFront = (sides.x != 0) != view.mirrored;
+            const bool lightInFront = (facing > 0) != view.mirrored;
             const bool eyeInFront = eyeBehind(eye, v, sources[i].eyeHair) <= 0.0;
             layers += lightInFront != eyeInFront && crosses(eye, v, sources[i]);
         }
@@ -144,7 +154,7 @@ int TileLights::layersOverEye(const TileScene& scene, std::uint32_t l, std::span
 void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter) {
     const auto& [geometry, silhouettes, group, eye, eyeConstant] = scene;
     const HostTriangles& triangles = silhouettes.hostTriangles;
-    tbb::enumerable_thread_specific<Exposed> made;
+    tbb::enumerable_thread_specific<std::vector<Exposed>> made;
     tbb::parallel_for(std::uint32_t(0), geometry.triangleChunkCount(), [&](std::uint32_t chunk) {
         const std::uint32_t i = geometry.triangleChunks()[chunk];
         const gpu::InstanceData& instance = geometry.instances()[i];
@@ -168,26 +178,50 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
             if (!mayBeNearest(inView, scene, seen)) continue;
             if (const auto cap = tileCap(eye, inView, view.mirrored ? -1 : 1, view.eyeHair(),
                                          anywhere ? CapMissing::Anywhere : CapMissing::BeforeTheNear)) {
-                made.local().triangles.push_back(placed);
-                made.local().caps.push_back(*cap);
+                made.local().push_back({placed, *cap});
             }
         }
     });
-    exposed_ = {};
-    for (Exposed& some : made) {
-        const std::vector<std::uint8_t> touching = counter.touching(seen, some.caps);
-        for (std::size_t k = 0; k < touching.size(); ++k) {
-            if (touching[k] == 0) continue;
-            exposed_.triangles.push_back(some.triangles[k]);
-            exposed_.caps.push_back(some.caps[k]);
-        }
-    }
+    exposed_.clear();
+    takeAll(made, exposed_);
+    std::ranges::sort(exposed_, {}, &Exposed::triangle);
+    std::vector<TilePolygon> caps;
+    for (const Exposed& exposed : exposed_) caps.push_back(exposed.cap);
+    const std::vector<std::uint8_t> touching = counter.touching(seen, std::move(caps));
+    std::size_t k = 0;
+    std::erase_if(exposed_, [&](const Exposed&) { return touching[k++] == 0; });
 }
 
-TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& scene, std::uint32_t l) const {
+/// Near an edge of the view's outline the rasteriser may show what is behind a triangle that the view ray meets. Where
+/// it is also one of the shadow's outline, the side begins there, and only that triangle's cap makes it come out even.
+void TileLights::findRim(const TileScene& scene, const SeenTiles& seen, std::uint32_t l, std::uint32_t entry,
+                         std::vector<RimSample>& found) const {
+    const ListedEdge listed(entry, scene, instances_);
+    const gpu::InstanceData& instance = scene.geometry.instances()[listed.instance];
+    const InstanceInView& view = instances_[listed.instance];
+    forSamplesBeside(scene.eye, listed.a, listed.b, [&](int column, int row) {
+        const auto index = std::uint32_t(seen.indexOf(column, row));
+        if ((seen.lit()[index] >> l & 1u) == 0) return;
+        for (const std::uint32_t beside : {listed.edge.left, listed.edge.right}) {
+            if (beside == EDGE_NONE) continue;
+            const std::uint32_t triangle = beside & EDGE_TRIANGLE, placed = instance.placedTriangleBase + triangle;
+            const int facing = scene.sideFacing(placed, l);
+            if (facing == 0 || std::ranges::binary_search(exposed_, placed, {}, &Exposed::triangle)) continue;
+            const auto corners = scene.silhouettes.hostTriangles.corners(scene.geometry, listed.instance, triangle);
+            const auto cap = tileCap(scene.eye, {view.of(corners[0]), view.of(corners[1]), view.of(corners[2])},
+                                     view.mirrored ? -facing : facing, view.eyeHair());
+            if (!cap || !isBehind(*cap, column, row, seen.depths()[index])) continue;
+            found.push_back({placed, {index, cap->crossing}});
+        }
+    });
+}
+
+TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& scene, const SeenTiles& seen,
+                            std::uint32_t l) const {
     TileLight light;
     light.bit = 1u << l;
     tbb::enumerable_thread_specific<std::vector<TilePolygon>> made;
+    tbb::enumerable_thread_specific<std::vector<RimSample>> rims;
     const std::vector<TileSource> sources = sourcesInView(scene, scene.group.first + l);
     if (scene.eyeConstant) light.start = layersOverEye(scene, l, sources);
     for (const CountPlan& plan : plans) {
@@ -197,18 +231,28 @@ TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& s
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, entries.size(), 256), [&](const auto& range) {
                 std::vector<TilePolygon>& polygons = made.local();
                 for (std::size_t k = range.begin(); k != range.end(); ++k) {
-                    const auto side = sideOf(entries[k], plan.crossings, scene, instances_, sources);
+                    const ListedEdge listed(entries[k], scene, instances_);
+                    const bool reversed = ((entries[k] & 1u) != 0) != instances_[listed.instance].mirrored;
+                    const auto side = tileSide(scene.eye, listed.a, listed.b, sources[listed.instance],
+                                               reversed ? -plan.crossings : plan.crossings);
                     if (side) polygons.push_back(*side);
+                    findRim(scene, seen, l, entries[k], rims.local());
                 }
             });
         }
     }
     takeAll(made, light.polygons);
-    for (std::size_t k = 0; k < exposed_.caps.size(); ++k) {
-        const glm::uvec2 sides = scene.facing(exposed_.triangles[k]);
-        const int facing = int(sides.x >> l & 1u) - int(sides.y >> l & 1u);
+    std::vector<RimSample> rim;
+    takeAll(rims, rim);
+    std::ranges::sort(rim);
+    const auto again = std::ranges::unique(rim);  // of edges that are listed twice, or two of one triangle
+    rim.erase(again.begin(), again.end());
+    for (const RimSample& some : rim) light.samples.push_back(some.sample);
+    std::ranges::sort(light.samples);
+    for (const Exposed& exposed : exposed_) {
+        const int facing = scene.sideFacing(exposed.triangle, l);
         if (facing == 0) continue;
-        light.polygons.push_back(exposed_.caps[k]);
+        light.polygons.push_back(exposed.cap);
         light.polygons.back().crossing *= facing;
     }
     return light;

@@ -24,6 +24,10 @@ struct TileScene {
     const glm::uvec2& facing(std::uint32_t placed) const {
         return silhouettes.hostFacing[silhouettes.facingBase(group) + placed];
     }
+    /// Which side of it faces light `l` of the group: 1 the front, -1 the back, 0 none (or both: edge-on).
+    int sideFacing(std::uint32_t placed, std::uint32_t l) const {
+        return int(facing(placed).x >> l & 1u) - int(facing(placed).y >> l & 1u);
+    }
 };
 
 /// An instance's model space as the eye sees it, and a sphere around it in view space.
@@ -51,18 +55,29 @@ public:
     void findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter);
 
     /// @param plans  of light `l` of the group; their sides
-    TileLight light(std::span<const CountPlan> plans, const TileScene& scene, std::uint32_t l) const;
+    /// @param seen  at the eye's sample
+    TileLight light(std::span<const CountPlan> plans, const TileScene& scene, const SeenTiles& seen,
+                    std::uint32_t l) const;
 
 private:
     struct Exposed {
-        std::vector<std::uint32_t> triangles;  // placed
-        std::vector<TilePolygon> caps;         // of them, as if the light were in front
+        std::uint32_t triangle;  // placed
+        TilePolygon cap;         // as if the light were in front
     };
+    /// What a rasteriser may miss of the triangles along one edge.
+    struct RimSample {
+        std::uint32_t triangle;  // placed
+        TileSample sample;
+
+        auto operator<=>(const RimSample&) const = default;
+    };
+    void findRim(const TileScene& scene, const SeenTiles& seen, std::uint32_t l, std::uint32_t entry,
+                 std::vector<RimSample>& found) const;
     std::vector<TileSource> sourcesInView(const TileScene& scene, std::uint32_t light) const;
     int layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const TileSource> sources) const;
 
     std::vector<InstanceInView> instances_;
-    Exposed exposed_;
+    std::vector<Exposed> exposed_;  // by ascending triangle
 };
 
 }  // namespace umbrage

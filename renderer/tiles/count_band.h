@@ -37,9 +37,19 @@ struct TileBox {
     float low[3]{1.0f, 1.0f, 1.0f}, high[3]{-1.0f, -1.0f, -1.0f};
 };
 
+/// A sample whose count changes by itself.
+struct TileSample {
+    std::uint32_t index;  // as pixels are stored, in the whole picture
+    std::int32_t crossing;
+
+    auto operator<=>(const TileSample&) const = default;
+};
+
 struct Band {
     const TilePolygon* polygons;
     std::size_t polygonCount;
+    const TileSample* samples;  // of this row
+    std::size_t sampleCount;
     std::int32_t start;  // the count at the eye
     std::uint32_t lightBit;
     float light[3];            // in view space

@@ -222,6 +222,10 @@ inline void countBandOf(const Band& band) {
         bin(band, k, end);
         for (int block = 0; block < band.columns; ++block) countBlock(band, block);
     }
+    const std::size_t first = std::size_t(band.row) * std::size_t(band.columns) * kBlockPixels;
+    for (std::size_t k = 0; k < band.sampleCount; ++k) {
+        s.counts[band.samples[k].index - first] += band.samples[k].crossing;
+    }
     mark(band);
 }
 

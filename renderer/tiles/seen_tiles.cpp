@@ -59,15 +59,16 @@ SeenTiles::SeenTiles(int width, int height)
       boxes_(farthest_.size()),
       tileColumns_(columns_ * (kBlockSize / kTileSize)) {}
 
+std::size_t SeenTiles::indexOf(int column, int row) const {
+    const int block = row / kBlockSize * columns_ + column / kBlockSize;
+    const int tile = row % kBlockSize / kTileSize * 8 + column % kBlockSize / kTileSize;
+    return std::size_t(block * kBlockTiles + tile) * kTilePixels +
+           std::size_t(row % kTileSize * kTileSize + column % kTileSize);
+}
+
 template <class Visit>
 void SeenTiles::forTilesOfRow(int y, const Visit& visit) const {
-    const int row = y % kBlockSize;
-    for (int x = 0; x < width_; x += kTileSize) {
-        const int block = y / kBlockSize * columns_ + x / kBlockSize;
-        const int tile = row / kTileSize * 8 + x % kBlockSize / kTileSize;
-        visit(std::size_t(block * kBlockTiles + tile) * kTilePixels + std::size_t(row % kTileSize * kTileSize), x,
-              std::min(kTileSize, width_ - x));
-    }
+    for (int x = 0; x < width_; x += kTileSize) visit(indexOf(x, y), x, std::min(kTileSize, width_ - x));
 }
 
 void SeenTiles::set(const SeenPicture& picture, const TileEye& eye) {

@@ -41,6 +41,9 @@ public:
     /// Around what some light may light, tile by tile as pixels are stored.
     const TileBox* boxes() const { return boxes_.data(); }
 
+    /// Where a pixel of the picture is stored.
+    std::size_t indexOf(int column, int row) const;
+
     /// Whether something is before what is seen anywhere between two places of the picture: that any light may light.
     bool isBefore(const glm::dvec2& low, const glm::dvec2& high, float depth) const;
 

@@ -44,6 +44,12 @@ private:
     std::vector<std::uint32_t> lists_, listSizes_;
 };
 
+/// Those of a band.
+std::span<const TileSample> samplesOf(const TileLight& light, std::size_t first, std::size_t end) {
+    const auto from = std::ranges::lower_bound(light.samples, first, {}, &TileSample::index);
+    return {from, std::ranges::lower_bound(from, light.samples.end(), end, {}, &TileSample::index)};
+}
+
 }  // namespace
 
 CountBand* countBandHere() {
@@ -80,6 +86,9 @@ void TileCounter::countAll(const SeenTiles& seen, std::span<const TileLight> lig
         for (const TileLight& light : lights) {
             Band band;
             band.polygons = light.polygons.data(), band.polygonCount = light.polygons.size();
+            const std::span<const TileSample> samples =
+                samplesOf(light, first, first + std::size_t(seen.columns()) * kBlockPixels);
+            band.samples = samples.data(), band.sampleCount = samples.size();
             band.start = light.start, band.lightBit = light.bit;
             for (int k = 0; k < 3; ++k) band.light[k] = light.position[k];
             band.range2 = light.range2;

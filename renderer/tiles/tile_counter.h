@@ -19,6 +19,7 @@ namespace umbrage {
 /// One light's volumes: their sides, and caps of what is not in the depth buffer.
 struct TileLight {
     std::vector<TilePolygon> polygons;
+    std::vector<TileSample> samples;                        // caps of what is missing there only; by ascending index
     std::int32_t start = 0;                                 // layers over the eye
     glm::vec3 position{0.0f};                               // in view space
     float range2 = std::numeric_limits<float>::infinity();  // of its range in metres, beyond which it lights nothing

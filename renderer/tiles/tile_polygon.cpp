@@ -158,6 +158,17 @@ double eyeBehind(const TileEye& eye, const TileCorners& corners, const dvec3& ey
     return behind + dot(n, eyeHair);
 }
 
+bool isBehind(const TilePolygon& polygon, int column, int row, float depth) {
+    const auto valueOf = [&](int i) {
+        const PixelFunction& f = polygon.functions[i];
+        return float(f.x * column + f.y * row + f.c);
+    };
+    for (int i = 0; i < kTileBorders; ++i) {
+        if (valueOf(i) < polygon.thresholds[i]) return false;
+    }
+    return valueOf(kTileBorders) > depth;
+}
+
 std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const TileSource& source,
                                     int times) {
     const dvec3 l(source.light);
