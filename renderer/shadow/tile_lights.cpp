@@ -202,15 +202,21 @@ void TileLights::findRim(const TileScene& scene, const SeenTiles& seen, std::uin
     forSamplesBeside(scene.eye, listed.a, listed.b, [&](int column, int row) {
         const auto index = std::uint32_t(seen.indexOf(column, row));
         if ((seen.lit()[index] >> l & 1u) == 0) return;
+        const float depth = seen.depths()[index];
         for (const std::uint32_t beside : {listed.edge.left, listed.edge.right}) {
             if (beside == EDGE_NONE) continue;
             const std::uint32_t triangle = beside & EDGE_TRIANGLE, placed = instance.placedTriangleBase + triangle;
             const int facing = scene.sideFacing(placed, l);
-            if (facing == 0 || std::ranges::binary_search(exposed_, placed, {}, &Exposed::triangle)) continue;
+            if (facing == 0) continue;
+            const auto exposed = std::ranges::lower_bound(exposed_, placed, {}, &Exposed::triangle);
+            if (exposed != exposed_.end() && exposed->triangle == placed &&
+                isBehind(exposed->cap, column, row, depth)) {
+                continue;  // is counted there
+            }
             const auto corners = scene.silhouettes.hostTriangles.corners(scene.geometry, listed.instance, triangle);
             const auto cap = tileCap(scene.eye, {view.of(corners[0]), view.of(corners[1]), view.of(corners[2])},
                                      view.mirrored ? -facing : facing, view.eyeHair());
-            if (!cap || !isBehind(*cap, column, row, seen.depths()[index])) continue;
+            if (!cap || !isBehind(*cap, column, row, depth)) continue;
             found.push_back({placed, {index, cap->crossing}});
         }
     });

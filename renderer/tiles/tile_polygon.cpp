@@ -159,9 +159,12 @@ double eyeBehind(const TileEye& eye, const TileCorners& corners, const dvec3& ey
 }
 
 bool isBehind(const TilePolygon& polygon, int column, int row, float depth) {
+    const int x = column % kTileSize, y = row % kTileSize;
     const auto valueOf = [&](int i) {
         const PixelFunction& f = polygon.functions[i];
-        return float(f.x * column + f.y * row + f.c);
+        const float across = float(f.x), down = float(f.y);
+        const float within = across * float(x) + down * float(y % 2);
+        return within + float(f.x * (column - x) + f.y * (row - y) + f.c) + float(y / 2) * (2.0f * down);
     };
     for (int i = 0; i < kTileBorders; ++i) {
         if (valueOf(i) < polygon.thresholds[i]) return false;
