@@ -119,7 +119,7 @@ BatchSummary runBatch(const Job& asked, const BatchOptions& options, BatchObserv
     summary.requested = frames.size();
     summary.images = imagesOf(asked, frames);
     const gpu::Context context(options.device);
-    const Job job = chosenFor(asked, context.info());
+    const Job job = chosenFor(asked, context.info(), neededOutputs(asked));
     const Moment first = evaluate(composition.scene, composition.animations, frameSeconds(job, frames.front()));
     FrameMaker maker(job, composition, first, context);
     const FrameOutputs& outputs = maker.outputs();

@@ -24,11 +24,14 @@ std::vector<Technique> allTechniques() {
     return all;
 }
 
-Job chosenFor(Job job, const gpu::DeviceInfo& device) {
+Job chosenFor(Job job, const gpu::DeviceInfo& device, const FrameOutputs& outputs) {
     std::string &silhouette = job.shadow.silhouette, &count = job.shadow.count;
     // On a device that is a processor itself, host code without shaders between is several times faster.
     if (silhouette == "auto") silhouette = device.software ? "cpu" : "compute";
-    if (count == "auto") count = "z-pass";
+    if (count == "auto") {
+        const bool tiles = device.software && canPair(silhouette, "tiles") && !VolumeDiagnostics::wanted(outputs);
+        count = tiles ? "tiles" : "z-pass";
+    }
     return job;
 }
 

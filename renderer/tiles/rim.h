@@ -36,7 +36,7 @@ void forSamplesBeside(const TileEye& eye, glm::dvec3 a, glm::dvec3 b, const Visi
     const double most = kRimPixels * std::sqrt(1.0 + slope * slope);
     for (double x = first; x <= last; ++x) {
         const double y = from.y + slope * (x - from.x), nearest = std::round(y);
-        if (std::abs(y - nearest) > most || nearest < 0.0 || nearest >= across) continue;
+        if (!(std::abs(y - nearest) <= most && nearest >= 0.0 && nearest < across)) continue;
         if (flat) {
             visit(int(x), int(nearest));
         } else {
