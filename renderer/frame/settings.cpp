@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "error.h"
+#include "frame/volume_diagnostics.h"
 #include "job/names.h"
 
 namespace umbrage {

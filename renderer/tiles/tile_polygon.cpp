@@ -43,6 +43,10 @@ bool zeroIsInside(const TileEye& eye, const PixelFunction& f) {
     return false;
 }
 
+double valueAt(const PixelFunction& f, int column, int row) {
+    return f.x * column + f.y * row + f.c;
+}
+
 /// To slopes between 1 and 2, by a power of two, which rounds nothing: floats hold it then.
 PixelFunction scaled(const PixelFunction& f) {
     constexpr std::uint64_t kExponent = 0x7ff, kBias = 0x3ff;
@@ -98,7 +102,7 @@ std::optional<TilePolygon> polygonOf(const TileEye& eye, const std::array<dvec3,
         if (missesPicture(eye, f)) return std::nullopt;
         polygon.functions[i] = f;
         polygon.margins[i] = marginOf(eye, f);
-        polygon.thresholds[i] = zeroIsInside(eye, f) ? 0.0f : std::numeric_limits<float>::min();
+        polygon.ownsZero[i] = zeroIsInside(eye, f);
     }
     polygon.functions[kTileBorders] = depth;
     polygon.margins[kTileBorders] = marginOf(eye, depth);
@@ -158,18 +162,18 @@ double eyeBehind(const TileEye& eye, const TileCorners& corners, const dvec3& ey
     return behind + dot(n, eyeHair);
 }
 
-bool isBehind(const TilePolygon& polygon, int column, int row, float depth) {
-    const int x = column % kTileSize, y = row % kTileSize;
-    const auto valueOf = [&](int i) {
-        const PixelFunction& f = polygon.functions[i];
-        const float across = float(f.x), down = float(f.y);
-        const float within = across * float(x) + down * float(y % 2);
-        return within + float(f.x * (column - x) + f.y * (row - y) + f.c) + float(y / 2) * (2.0f * down);
-    };
+bool isInside(const TilePolygon& polygon, int column, int row) {
+    // In pixels: more than doubles round where three borders meet on a sample, which must all say that it is there.
+    constexpr double kOnBorder = 0x1p-30;
     for (int i = 0; i < kTileBorders; ++i) {
-        if (valueOf(i) < polygon.thresholds[i]) return false;
+        const double value = valueAt(polygon.functions[i], column, row);
+        if (std::abs(value) > kOnBorder ? value < 0.0 : !polygon.ownsZero[i]) return false;
     }
-    return valueOf(kTileBorders) > depth;
+    return true;
+}
+
+bool isBehind(const TilePolygon& polygon, int column, int row, float depth) {
+    return float(valueAt(polygon.functions[kTileBorders], column, row)) > depth && isInside(polygon, column, row);
 }
 
 std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const TileSource& source,

@@ -33,18 +33,23 @@ inline constexpr int kTileSize = 8, kBlockSize = 64;  // pixels along a side
 /// One function more than borders: the last is the depth, which is greater where it is nearer: 1/metre along the view
 /// axis, or for an orthographic eye metres towards the viewer.
 inline constexpr int kTileBorders = 3, kTileFunctions = kTileBorders + 1;
+/// In pixels: nearer to a border than this, floats do not tell the side of a sample within their own tile.
+inline constexpr float kBorderRounding = 0x1p-16f;
 
-/// Covers pixels where every border is at least its threshold, which is 0, or the least number above for those that
-/// leave their own zero to the neighbour. A side has no far border: beyond its horizon it is behind everything.
+/// Covers samples where every border is positive; samples on a border go to one of both sides. A side has no far
+/// border: beyond its horizon it is behind everything. Borders are scaled to slopes between 1 and 2: they are in
+/// pixels.
 struct TilePolygon {
     PixelFunction functions[kTileFunctions];
     float margins[kTileFunctions]{};  // what rounding may do to each when it is evaluated in float
-    float thresholds[kTileBorders]{};
+    bool ownsZero[kTileBorders]{};
     std::int32_t crossing = 0;  // what the count of what lies behind it changes by
     std::uint64_t rows = 0;     // of blocks that it may touch, one bit each; bit 63 stands for all from there on
 };
 
-/// Whether a sample is within the borders of a polygon and what it sees behind it, bit for bit as count_band.inl decides it.
+/// Whether a sample is within the borders of a polygon.
+bool isInside(const TilePolygon& polygon, int column, int row);
+/// And what it sees behind it.
 bool isBehind(const TilePolygon& polygon, int column, int row, float depth);
 
 /// In view space.
