@@ -166,7 +166,9 @@ Type<Job::Shadow> shadowSettings() {
         {
             field<Shadow>("enabled", boolean(), &Shadow::enabled, "off: everything is lit"),
             field<Shadow>("count", choice(orAuto(namesOf(kCounts))), &Shadow::count,
-                          "How pixels are counted: " + meaningsOf(kCounts) + "; auto: z-pass"),
+                          "How pixels are counted: " + meaningsOf(kCounts) +
+                              "; auto: tiles where the device is a processor, but z-pass there, too, where it is asked "
+                              "what volumes cost a rasteriser (statistics, overlays and AOVs of them)"),
             field<Shadow>("whenInexact", choice(namesOf(kWhenInexact)), &Shadow::whenInexact,
                           "Where the way of counting is not exact and says so: " + meaningsOf(kWhenInexact)),
             field<Shadow>("extrusion", number(atLeast(0)), &Shadow::extrusionMetres,

@@ -150,12 +150,13 @@ inline std::uint32_t countPixels(const TilePolygon& polygon, const Floats (&patt
     for (int v = 0; v < kTileVectors; ++v) {
         Floats inside = value[0] + float(v) * down[0];
         for (int i = 1; i < kTileBorders; ++i) inside = smaller(inside, value[i] + float(v) * down[i]);
-        const Ints before = value[kTileBorders] + float(v) * down[kTileBorders] > load<Floats>(depths + v * kLanes);
-        Ints changed = before & (inside > 0.0f);
-        std::uint32_t near = bitsOf(before & (magnitude(inside) <= kBorderRounding));
+        Ints changed = value[kTileBorders] + float(v) * down[kTileBorders] > load<Floats>(depths + v * kLanes);
+        changed &= inside > 0.0f;
+        std::uint32_t near = bitsOf(magnitude(inside) <= kBorderRounding);
         for (; near != 0; near &= near - 1) {
             const int lane = __builtin_ctz(near);
-            changed[lane] = isInside(polygon, column + lane % 8, row + 2 * v + lane / 8) ? -1 : 0;
+            const float depth = depths[v * kLanes + lane];
+            changed[lane] = isBehind(polygon, column + lane % 8, row + 2 * v + lane / 8, depth) ? -1 : 0;
         }
         store(counts + v * kLanes, load<Ints>(counts + v * kLanes) + (changed & polygon.crossing));
         any |= changed;

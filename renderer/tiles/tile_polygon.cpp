@@ -104,7 +104,9 @@ std::optional<TilePolygon> polygonOf(const TileEye& eye, const std::array<dvec3,
         polygon.margins[i] = marginOf(eye, f);
         polygon.ownsZero[i] = zeroIsInside(eye, f);
     }
+    // A plane seen edge-on is at no depth on its own line, so samples there are moved as zeroIsInside() has it.
     polygon.functions[kTileBorders] = depth;
+    polygon.functions[kTileBorders].c += 0x1p-20 * eye.ties.x * depth.x + 0x1p-30 * eye.ties.y * depth.y;
     polygon.margins[kTileBorders] = marginOf(eye, depth);
     polygon.rows = rowsOf(eye, polygon);
     return polygon;
@@ -162,18 +164,14 @@ double eyeBehind(const TileEye& eye, const TileCorners& corners, const dvec3& ey
     return behind + dot(n, eyeHair);
 }
 
-bool isInside(const TilePolygon& polygon, int column, int row) {
+bool isBehind(const TilePolygon& polygon, int column, int row, float depth) {
     // In pixels: more than doubles round where three borders meet on a sample, which must all say that it is there.
     constexpr double kOnBorder = 0x1p-30;
     for (int i = 0; i < kTileBorders; ++i) {
         const double value = valueAt(polygon.functions[i], column, row);
         if (std::abs(value) > kOnBorder ? value < 0.0 : !polygon.ownsZero[i]) return false;
     }
-    return true;
-}
-
-bool isBehind(const TilePolygon& polygon, int column, int row, float depth) {
-    return float(valueAt(polygon.functions[kTileBorders], column, row)) > depth && isInside(polygon, column, row);
+    return float(valueAt(polygon.functions[kTileBorders], column, row)) > depth;
 }
 
 std::optional<TilePolygon> tileSide(const TileEye& eye, const dvec3& a, const dvec3& b, const TileSource& source,

@@ -47,9 +47,7 @@ struct TilePolygon {
     std::uint64_t rows = 0;     // of blocks that it may touch, one bit each; bit 63 stands for all from there on
 };
 
-/// Whether a sample is within the borders of a polygon.
-bool isInside(const TilePolygon& polygon, int column, int row);
-/// And what it sees behind it.
+/// Whether a sample is within the borders of a polygon, and what it sees behind it.
 bool isBehind(const TilePolygon& polygon, int column, int row, float depth);
 
 /// In view space.
