@@ -2,7 +2,7 @@
 #include "frame/tile_masks.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <limits>
 
 namespace umbrage {
 
@@ -47,14 +47,15 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
         see(silhouettes, group, target, eye, int(s));
         if (everyPixel) seen_->lightAll();
         lights_.findExposed(scene, *seen_, counter_);
-        counted_.clear();
+        counted_.resize(plans.size());
         for (std::uint32_t l = 0; l < plans.size(); ++l) {
-            TileLight light = lights_.light(plans[l], scene, *seen_, l);
+            TileLight& light = counted_[l];
+            lights_.find(plans[l], scene, *seen_, l, light);
             const gpu::LightData& data = target.lights[l];
             light.position = glm::vec3(data.position);
             const bool hasRange = data.position.w != 0.0f && data.direction.w > 0.0f;
-            if (hasRange && target.skipOutOfReach && !everyPixel) light.range2 = 1.001f / data.direction.w;
-            counted_.push_back(std::move(light));
+            const bool limited = hasRange && target.skipOutOfReach && !everyPixel;
+            light.range2 = limited ? 1.001f / data.direction.w : std::numeric_limits<float>::infinity();
         }
         seen_->toRows(counter_.count(*seen_, counted_).data(), dark_.data() + s * pixels);
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shadow/tile_lights.h"
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -21,10 +20,14 @@ std::vector<std::uint32_t> entriesOf(const Silhouettes& silhouettes, std::uint32
     return entries;
 }
 
-/// Concatenates what threads have made: sums have no order.
+/// What threads have made, one after the other: sums have no order. Leaves them empty, but with their memory.
 template <class T>
 void takeAll(tbb::enumerable_thread_specific<std::vector<T>>& made, std::vector<T>& to) {
-    for (const std::vector<T>& some : made) to.insert(to.end(), some.begin(), some.end());
+    to.clear();
+    for (std::vector<T>& some : made) {
+        to.insert(to.end(), some.begin(), some.end());
+        some.clear();
+    }
 }
 
 /// Far below what floats can tell, far above what doubles round.
@@ -37,30 +40,6 @@ bool crosses(const TileEye& eye, const TileCorners& v, const TileSource& source)
     for (std::size_t i = 0; i < 3; ++i) positive += eyeBeside(eye, v[i], v[(i + 1) % 3], source) > 0.0;
     return positive % 3 == 0;
 }
-
-/// An edge that a sweep has listed.
-struct ListedEdge {
-    std::uint32_t instance;
-    const gpu::Edge& edge;
-    glm::dvec3 a, b;  // view space
-
-    ListedEdge(std::uint32_t entry, const TileScene& scene, std::span<const InstanceInView> instances)
-        : ListedEdge((entry & ~QUAD_OF_RIGHT) >> 1,
-                     scene.geometry.edgeChunks()[(entry & ~QUAD_OF_RIGHT) >> 1 >> CHUNK_SHIFT], scene, instances) {}
-
-private:
-    ListedEdge(std::uint32_t placed, std::uint32_t i, const TileScene& scene, std::span<const InstanceInView> instances)
-        : instance(i), edge(edgeOf(placed, i, scene.geometry)) {
-        const std::uint32_t base = scene.geometry.instances()[i].vertexBase;
-        a = instances[i].of(scene.silhouettes.hostTriangles.position(base + edge.a));
-        b = instances[i].of(scene.silhouettes.hostTriangles.position(base + edge.b));
-    }
-
-    static const gpu::Edge& edgeOf(std::uint32_t placed, std::uint32_t i, const Geometry& geometry) {
-        const gpu::InstanceData& instance = geometry.instances()[i];
-        return geometry.edges()[instance.edgeBase + placed - instance.placedEdgeBase];
-    }
-};
 
 /// The pixels and the depth that a triangle may have.
 bool mayBeNearest(const TileCorners& corners, const TileScene& scene, const SeenTiles& seen) {
@@ -82,6 +61,23 @@ bool mayBeNearest(const TileCorners& corners, const TileScene& scene, const Seen
 }
 
 }  // namespace
+
+/// An edge that a sweep has listed.
+struct TileLights::ListedEdge {
+    std::uint32_t instance;
+    const gpu::Edge* edge;
+    glm::dvec3 a, b;  // view space
+
+    ListedEdge(std::uint32_t entry, const TileScene& scene, std::span<const InstanceInView> instances) {
+        const Geometry& geometry = scene.geometry;
+        const std::uint32_t placed = (entry & ~QUAD_OF_RIGHT) >> 1;
+        instance = geometry.edgeChunks()[placed >> CHUNK_SHIFT];
+        const gpu::InstanceData& data = geometry.instances()[instance];
+        edge = &geometry.edges()[data.edgeBase + placed - data.placedEdgeBase];
+        a = instances[instance].of(scene.silhouettes.hostTriangles.position(data.vertexBase + edge->a));
+        b = instances[instance].of(scene.silhouettes.hostTriangles.position(data.vertexBase + edge->b));
+    }
+};
 
 glm::dvec3 InstanceInView::eyeHair() const {
     return kHair * farthestMetres() * glm::dvec3(-0.37, 0.71, 0.59);
@@ -154,7 +150,6 @@ int TileLights::layersOverEye(const TileScene& scene, std::uint32_t l, std::span
 void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter) {
     const auto& [geometry, silhouettes, group, eye, eyeConstant] = scene;
     const HostTriangles& triangles = silhouettes.hostTriangles;
-    tbb::enumerable_thread_specific<std::vector<Exposed>> made;
     tbb::parallel_for(std::uint32_t(0), geometry.triangleChunkCount(), [&](std::uint32_t chunk) {
         const std::uint32_t i = geometry.triangleChunks()[chunk];
         const gpu::InstanceData& instance = geometry.instances()[i];
@@ -164,26 +159,27 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
         triangles.face(i, first, count, instance.eyeInModel, 1u, front.data(), back.data());
         const bool insideOut = (instance.flags & INSTANCE_INSIDE_OUT) != 0;
         const InstanceInView& view = instances_[i];
+        const bool mayBeCut = -view.center.z - view.radius < eye.znear;
         for (std::uint32_t k = 0; k < count; ++k) {
             const std::uint32_t placed = chunk * CHUNK_SIZE + k;
             const std::uint32_t flags = geometry.triangleFlags()[instance.triangleBase + first + k];
             if ((flags & TRIANGLE_CASTS) == 0 || (scene.facing(placed).x | scene.facing(placed).y) == 0) continue;
             const bool turnedAway = (insideOut ? front[k] : back[k]) != 0;
             const bool culled = (flags & TRIANGLE_SINGLE_SIDED) != 0 && turnedAway;
+            const bool anywhere = culled || (flags & TRIANGLE_HOLED) != 0;
+            if (!anywhere && !mayBeCut) continue;
             const auto corners = triangles.corners(geometry, i, first + k);
             const TileCorners inView{view.of(corners[0]), view.of(corners[1]), view.of(corners[2])};
             const bool cut = std::ranges::any_of(inView, [&](const glm::dvec3& p) { return -p.z < eye.znear; });
-            const bool anywhere = culled || (flags & TRIANGLE_HOLED) != 0;
             if (!anywhere && !cut) continue;
             if (!mayBeNearest(inView, scene, seen)) continue;
             if (const auto cap = tileCap(eye, inView, view.mirrored ? -1 : 1, view.eyeHair(),
                                          anywhere ? CapMissing::Anywhere : CapMissing::BeforeTheNear)) {
-                made.local().push_back({placed, *cap});
+                madeExposed_.local().push_back({placed, *cap});
             }
         }
     });
-    exposed_.clear();
-    takeAll(made, exposed_);
+    takeAll(madeExposed_, exposed_);
     std::ranges::sort(exposed_, {}, &Exposed::triangle);
     std::vector<TilePolygon> caps;
     for (const Exposed& exposed : exposed_) caps.push_back(exposed.cap);
@@ -194,16 +190,15 @@ void TileLights::findExposed(const TileScene& scene, const SeenTiles& seen, Tile
 
 /// Near an edge of the view's outline the rasteriser may show what is behind a triangle that the view ray meets. Where
 /// it is also one of the shadow's outline, the side begins there, and only that triangle's cap makes it come out even.
-void TileLights::findRim(const TileScene& scene, const SeenTiles& seen, std::uint32_t l, std::uint32_t entry,
+void TileLights::findRim(const TileScene& scene, const SeenTiles& seen, std::uint32_t l, const ListedEdge& listed,
                          std::vector<RimSample>& found) const {
-    const ListedEdge listed(entry, scene, instances_);
     const gpu::InstanceData& instance = scene.geometry.instances()[listed.instance];
     const InstanceInView& view = instances_[listed.instance];
     forSamplesBeside(scene.eye, listed.a, listed.b, [&](int column, int row) {
         const auto index = std::uint32_t(seen.indexOf(column, row));
         if ((seen.lit()[index] >> l & 1u) == 0) return;
         const float depth = seen.depths()[index];
-        for (const std::uint32_t beside : {listed.edge.left, listed.edge.right}) {
+        for (const std::uint32_t beside : {listed.edge->left, listed.edge->right}) {
             if (beside == EDGE_NONE) continue;
             const std::uint32_t triangle = beside & EDGE_TRIANGLE, placed = instance.placedTriangleBase + triangle;
             const int facing = scene.sideFacing(placed, l);
@@ -222,37 +217,36 @@ void TileLights::findRim(const TileScene& scene, const SeenTiles& seen, std::uin
     });
 }
 
-TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& scene, const SeenTiles& seen,
-                            std::uint32_t l) const {
-    TileLight light;
+void TileLights::find(std::span<const CountPlan> plans, const TileScene& scene, const SeenTiles& seen, std::uint32_t l,
+                      TileLight& light) {
     light.bit = 1u << l;
-    tbb::enumerable_thread_specific<std::vector<TilePolygon>> made;
-    tbb::enumerable_thread_specific<std::vector<RimSample>> rims;
     const std::vector<TileSource> sources = sourcesInView(scene, scene.group.first + l);
-    if (scene.eyeConstant) light.start = layersOverEye(scene, l, sources);
+    light.start = scene.eyeConstant ? layersOverEye(scene, l, sources) : 0;
     for (const CountPlan& plan : plans) {
         for (const VolumePart& part : plan.parts) {
             if (part.kind != VolumePart::Kind::Sides) continue;
             const std::vector<std::uint32_t> entries = entriesOf(scene.silhouettes, l, part.what);
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, entries.size(), 256), [&](const auto& range) {
-                std::vector<TilePolygon>& polygons = made.local();
+                std::vector<TilePolygon>& polygons = madePolygons_.local();
+                std::vector<RimSample>& rim = madeRim_.local();
                 for (std::size_t k = range.begin(); k != range.end(); ++k) {
                     const ListedEdge listed(entries[k], scene, instances_);
                     const bool reversed = ((entries[k] & 1u) != 0) != instances_[listed.instance].mirrored;
                     const auto side = tileSide(scene.eye, listed.a, listed.b, sources[listed.instance],
                                                reversed ? -plan.crossings : plan.crossings);
                     if (side) polygons.push_back(*side);
-                    findRim(scene, seen, l, entries[k], rims.local());
+                    findRim(scene, seen, l, listed, rim);
                 }
             });
         }
     }
-    takeAll(made, light.polygons);
+    takeAll(madePolygons_, light.polygons);
     std::vector<RimSample> rim;
-    takeAll(rims, rim);
+    takeAll(madeRim_, rim);
     std::ranges::sort(rim);
     const auto again = std::ranges::unique(rim);  // of edges that are listed twice, or two of one triangle
     rim.erase(again.begin(), again.end());
+    light.samples.clear();
     for (const RimSample& some : rim) light.samples.push_back(some.sample);
     std::ranges::sort(light.samples);
     for (const Exposed& exposed : exposed_) {
@@ -261,7 +255,6 @@ TileLight TileLights::light(std::span<const CountPlan> plans, const TileScene& s
         light.polygons.push_back(exposed.cap);
         light.polygons.back().crossing *= facing;
     }
-    return light;
 }
 
 }  // namespace umbrage

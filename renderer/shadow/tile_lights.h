@@ -4,6 +4,8 @@
 // are decided by the same determinants, in double and with the light moved by a hair, it knows no hazards (T4).
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <span>
 #include <vector>
 
@@ -54,10 +56,11 @@ public:
     /// @param seen  at the eye's sample
     void findExposed(const TileScene& scene, const SeenTiles& seen, TileCounter& counter);
 
+    /// Fills polygons, samples and start of a light.
     /// @param plans  of light `l` of the group; their sides
     /// @param seen  at the eye's sample
-    TileLight light(std::span<const CountPlan> plans, const TileScene& scene, const SeenTiles& seen,
-                    std::uint32_t l) const;
+    void find(std::span<const CountPlan> plans, const TileScene& scene, const SeenTiles& seen, std::uint32_t l,
+              TileLight& light);
 
 private:
     struct Exposed {
@@ -71,13 +74,17 @@ private:
 
         auto operator<=>(const RimSample&) const = default;
     };
-    void findRim(const TileScene& scene, const SeenTiles& seen, std::uint32_t l, std::uint32_t entry,
+    struct ListedEdge;
+    void findRim(const TileScene& scene, const SeenTiles& seen, std::uint32_t l, const ListedEdge& listed,
                  std::vector<RimSample>& found) const;
     std::vector<TileSource> sourcesInView(const TileScene& scene, std::uint32_t light) const;
     int layersOverEye(const TileScene& scene, std::uint32_t l, std::span<const TileSource> sources) const;
 
     std::vector<InstanceInView> instances_;
     std::vector<Exposed> exposed_;  // by ascending triangle
+    tbb::enumerable_thread_specific<std::vector<TilePolygon>> madePolygons_;
+    tbb::enumerable_thread_specific<std::vector<RimSample>> madeRim_;
+    tbb::enumerable_thread_specific<std::vector<Exposed>> madeExposed_;
 };
 
 }  // namespace umbrage

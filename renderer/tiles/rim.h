@@ -35,12 +35,14 @@ void forSamplesBeside(const TileEye& eye, glm::dvec3 a, glm::dvec3 b, const Visi
     const double slope = to.x > from.x ? (to.y - from.y) / (to.x - from.x) : 0.0;
     const double most = kRimPixels * std::sqrt(1.0 + slope * slope);
     for (double x = first; x <= last; ++x) {
-        const double y = from.y + slope * (x - from.x), nearest = std::round(y);
-        if (!(std::abs(y - nearest) <= most && nearest >= 0.0 && nearest < across)) continue;
+        const double y = from.y + slope * (x - from.x);
+        if (!(y > -0.5 && y < across - 0.5)) continue;
+        const int nearest = int(y + 0.5);
+        if (std::abs(y - nearest) > most) continue;
         if (flat) {
-            visit(int(x), int(nearest));
+            visit(int(x), nearest);
         } else {
-            visit(int(nearest), int(x));
+            visit(nearest, int(x));
         }
     }
 }

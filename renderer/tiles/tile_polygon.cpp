@@ -79,17 +79,22 @@ bool missesPicture(const TileEye& eye, const PixelFunction& f) {
 
 /// See TilePolygon::rows.
 std::uint64_t rowsOf(const TileEye& eye, const TilePolygon& polygon) {
-    const int count = (eye.height + kBlockSize - 1) / kBlockSize;
-    std::uint64_t rows = ~std::uint64_t(0);
+    double first = 0.0, last = 63.0;
     for (int i = 0; i < kTileBorders; ++i) {
+        // The most that the border is in a row of blocks, and where that is 0.
         const PixelFunction& f = polygon.functions[i];
-        double most = f.c + std::max(f.x, 0.0) * eye.width + std::max(f.y, 0.0) * kBlockSize;
-        for (int row = 0; row < std::min(count, 63); ++row) {
-            if (most < -double(polygon.margins[i])) rows &= ~(std::uint64_t(1) << row);
-            most += f.y * kBlockSize;
+        const double most = f.c + std::max(f.x, 0.0) * eye.width + std::max(f.y, 0.0) * kBlockSize + polygon.margins[i];
+        const double zero = -most / (f.y * kBlockSize);
+        if (f.y > 0.0) {
+            first = std::max(first, zero);
+        } else if (f.y < 0.0) {
+            last = std::min(last, zero);
+        } else if (most < 0.0) {
+            return 0;
         }
     }
-    return rows;
+    if (last < 0.0 || first > last + 1.0) return 0;
+    return ~std::uint64_t(0) << int(std::min(first, 63.0)) & ~std::uint64_t(0) >> (63 - int(last));
 }
 
 /// @param inward  1 or -1: sign of the borders inside
