@@ -17,6 +17,7 @@ namespace umbrage {
 namespace {
 
 constexpr const char* kTitle = "bench";
+const std::string kPlain = "plain ";
 
 template <class T>
 Type<std::vector<T>> notEmpty(const Type<std::vector<T>>& list) {
@@ -40,15 +41,17 @@ Type<std::string> tileMethod() {
     return choice(names);
 }
 
-Type<std::vector<Technique>> techniques() {
-    return converted<std::vector<Technique>>(listOf(choice(techniqueNames()), "a list of techniques"),
-                                             [](const std::vector<std::string>& chosen, const YamlNode&) {
-                                                 std::vector<Technique> made;
-                                                 for (const std::string& name : chosen) {
-                                                     made.push_back(Technique::named(name));
-                                                 }
-                                                 return made;
-                                             });
+Type<std::vector<BenchTechnique>> techniques() {
+    std::vector<std::string> names = techniqueNames();
+    for (const std::string& name : techniqueNames()) names.push_back(kPlain + name);
+    return converted<std::vector<BenchTechnique>>(listOf(choice(names), "a list of techniques"),
+                                                  [](const std::vector<std::string>& chosen, const YamlNode&) {
+                                                      std::vector<BenchTechnique> made;
+                                                      for (const std::string& name : chosen) {
+                                                          made.push_back(BenchTechnique::named(name));
+                                                      }
+                                                      return made;
+                                                  });
 }
 
 /// What it names becomes part of files' names.
@@ -184,8 +187,10 @@ Type<Bench> benchType() {
             field<Bench>("sequences", notEmpty(listOf(sequence(), "a list of sequences")), &Bench::sequences,
                          "What is rendered")
                 .required(),
-            field<Bench>("techniques", techniques(), &Bench::techniques,
-                         "For times and error: silhouette:count pairs that are compared")
+            field<Bench>(
+                "techniques", techniques(), &Bench::techniques,
+                "For times and error: silhouette:count pairs that are compared; \"plain \" in front: without any skip, "
+                "so that plain cpu:z-fail is the textbook's, with volumes to infinity")
                 .unset("each sequence's own"),
             field<Bench>("tracer", boolean(), &Bench::tracer,
                          "For times and error: also by the tracer, Embree's packets of primary rays and one robust "
@@ -208,6 +213,24 @@ Type<Bench> benchType() {
 }
 
 }  // namespace
+
+BenchTechnique BenchTechnique::named(const std::string& name) {
+    const bool plain = name.starts_with(kPlain);
+    return {Technique::named(plain ? name.substr(kPlain.size()) : name), plain};
+}
+
+std::string BenchTechnique::name() const {
+    return (isPlain ? kPlain : "") + technique.name();
+}
+
+Job BenchTechnique::of(Job job) const {
+    job.shadow.silhouette = technique.silhouette;
+    job.shadow.count = technique.count;
+    if (isPlain) {
+        for (const NameAndMeaning& skip : kSkips) job.shadow.skips[std::string(skip.name)] = false;
+    }
+    return job;
+}
 
 Job Bench::jobOf(const BenchSequence& sequence) const {
     JobOverrides overrides;

@@ -48,11 +48,23 @@ struct BenchCurve {
     int frame = 1;
 };
 
+/// A technique that is compared.
+struct BenchTechnique {
+    Technique technique;
+    bool isPlain = false;  // without any skip
+
+    /// As the file has it.
+    std::string name() const;
+    /// A job by this technique.
+    Job of(Job job) const;
+    static BenchTechnique named(const std::string& name);
+};
+
 struct Bench {
     std::filesystem::path file;
     std::vector<std::string> measure{"times"};
     std::vector<BenchSequence> sequences;
-    std::vector<Technique> techniques;                          // none: each sequence's own
+    std::vector<BenchTechnique> techniques;                     // none: each sequence's own
     bool tracer = false;                                        // constant colours, so that it can take part
     std::vector<double> offsets{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};  // of the tracer, for error
     int rounds = 5;

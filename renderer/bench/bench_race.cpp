@@ -26,11 +26,11 @@ Contender* Races::enter(std::unique_ptr<Contender> contender) {
 }
 
 bool Races::setUp(const BenchScene& scene, const std::atomic<bool>& interrupted) {
-    std::vector<Technique> techniques = bench_.techniques;
-    if (techniques.empty()) techniques = {techniqueOf(scene.job)};
+    std::vector<BenchTechnique> techniques = bench_.techniques;
+    if (techniques.empty()) techniques = {{techniqueOf(scene.job)}};
     Race& race = races_.emplace_back();
     const Contender* bare = enter(makeRenderer(scene, nullptr, wishes_.passes, context_));
-    for (const Technique& technique : techniques) {
+    for (const BenchTechnique& technique : techniques) {
         if (interrupted) return false;
         race.rows.push_back({enter(makeRenderer(scene, &technique, wishes_.passes, context_)), bare});
     }

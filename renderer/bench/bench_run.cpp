@@ -84,7 +84,7 @@ BenchResult runBench(const Bench& bench, const gpu::Context& context, bool allow
     SceneByName scenes;
     for (const BenchSequence& sequence : bench.sequences) {
         std::unique_ptr<BenchScene>& scene = scenes[sequence.name];
-        scene = std::make_unique<BenchScene>(bench, sequence, allowExternalFiles);
+        scene = std::make_unique<BenchScene>(bench, sequence, allowExternalFiles, context.info());
         for (const std::string& note : scene->composition.scene.notes) observer.note(sequence.name + ": " + note);
     }
     BenchResult result;
