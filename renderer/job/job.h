@@ -61,7 +61,7 @@ struct GeneratedLayer {
     int triangles = 100000;  // of all bodies, about
     int columns = 64;        // of bodies, on a square grid
     int layers = 1;          // bodies above each other in a column
-    double roughness = 0.3;  // how far the bodies' surface goes in and out, in parts of their size
+    double roughness = 0.15;  // how far the bodies' surface goes in and out, in parts of their size
     double moving = 0.5;     // share of the bodies that move
     int lights = 3;
     bool movingLights = false;

@@ -106,8 +106,10 @@ void addBodies(Scene& scene, const GeneratedLayer& layer) {
     const glm::dvec3 extents(radius, std::min(radius, 0.45 * storey / (1.0 + layer.roughness)), radius);
     for (int body = 0; body < bodies; ++body) {
         const int column = body % layer.columns, storeys = body / layer.columns;
-        const glm::dvec3 at((column % side + 0.5) * cell - kFieldHalf, kLowest + (storeys + 0.5) * storey,
-                            (column / side + 0.5) * cell - kFieldHalf);
+        const glm::dvec3 astray(scattered(column, kGolden) - 0.5, 0.0, scattered(column, kRoot2) - 0.5);
+        const glm::dvec3 at = glm::dvec3((column % side + 0.5) * cell - kFieldHalf, kLowest + (storeys + 0.5) * storey,
+                                         (column / side + 0.5) * cell - kFieldHalf) +
+                              0.24 * cell * astray;
         const int k = cuts.less + (body >= bodies - cuts.bodiesWithMore ? 1 : 0);
         scene.meshes.push_back(noisyBody(k, extents, layer.roughness, 16u * std::uint32_t(body)));
         scene.meshes.back().primitives.front().material = Index(1 + column % 4);
@@ -121,7 +123,7 @@ void addBodies(Scene& scene, const GeneratedLayer& layer) {
 }
 
 void addLights(Scene& scene, const GeneratedLayer& layer) {
-    constexpr float kCandela = 1500.0f;  // of all
+    constexpr float kCandela = 900.0f;  // of all
     for (int i = 0; i < layer.lights; ++i) {
         Light& light = scene.lights.emplace_back();
         const float warmth = float(scattered(i, kRoot3));
