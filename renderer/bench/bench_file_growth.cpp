@@ -12,8 +12,12 @@ using Value = std::vector<double>;
 
 Type<Value> value() {
     const Type<Value> single = converted<Value>(number(), [](double one, const YamlNode&) { return Value{one}; });
-    return either(single, notEmpty(listOf(number(), "a list of numbers")),
-                  [](const YamlNode& node) { return node.isScalar(); });
+    const Type<Value> list = notEmpty(listOf(number(), "a list of numbers"));
+    Type<Value> type = either(single, list, [](const YamlNode& node) { return node.isScalar(); });
+    type.read = [single, list](const YamlNode& node, const std::string& name) {
+        return node.isSequence() ? list.read(node, name) : single.read(node, name);
+    };
+    return type;
 }
 
 }  // namespace

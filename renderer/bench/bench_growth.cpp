@@ -12,8 +12,6 @@
 namespace umbrage {
 namespace {
 
-constexpr const char* kBare = "without shadows";
-
 std::vector<BenchColumn> columns() {
     return {{"growth", "growth", "", -1},
             {"technique", "technique", "", -1},
@@ -134,8 +132,6 @@ public:
 
 private:
     void enter(const Race& race, const std::string& value, double x) {
-        enterBare(*race.rows.front().bare, kBare, value, x);
-        if (race.tracer) enterBare(*race.tracer->bare, race.tracer->bare->name(), value, x);
         for (const Race::Pair& pair : race.rows) {
             const std::string& name = pair.shadowed->name();
             const double frame = median(pair.shadowed->milliseconds()), shadows = pair.shadowsMilliseconds();
@@ -145,9 +141,12 @@ private:
             curves.shadows.emplace_back(x, shadows);
             if (frame > 1e3 * growth_.patienceSeconds) leaveOut(name, value, frame);
         }
+        enterBare(*race.rows.front().bare, value, x);
+        if (race.tracer) enterBare(*race.tracer->bare, value, x);
     }
 
-    void enterBare(const Contender& bare, const std::string& name, const std::string& value, double x) {
+    void enterBare(const Contender& bare, const std::string& value, double x) {
+        const std::string& name = bare.name();
         const double frame = median(bare.milliseconds());
         table_.rows.push_back({growth_.name, name, value, x, frame, frame, BenchCell()});
         curvesOf(curves_, name).frames.emplace_back(x, frame);

@@ -58,11 +58,11 @@ struct GltfLayer {
 
 /// scene: - generated: a scene of any size, made when it is asked for (scene/generated.h)
 struct GeneratedLayer {
-    int triangles = 100000;  // of all bodies, about
-    int columns = 64;        // of bodies, on a square grid
-    int layers = 1;          // bodies above each other in a column
+    int triangles = 100000;   // of all bodies, about
+    int columns = 64;         // of bodies, on a square grid
+    int layers = 1;           // bodies above each other in a column
     double roughness = 0.15;  // how far the bodies' surface goes in and out, in parts of their size
-    double moving = 0.5;     // share of the bodies that move
+    double moving = 50.0;     // per cent of the bodies
     int lights = 3;
     bool movingLights = false;
     double lightRangeMetres = 0.0;  // 0: unlimited

@@ -21,7 +21,7 @@ Type<GeneratedLayer> generatedLayer() {
                         "Bodies above each other in a column, the flatter the more there are"),
             field<Made>("roughness", number(between(0, 1)), &Made::roughness,
                         "How far noise pushes the surface, in parts of a body's size"),
-            field<Made>("moving", number(between(0, 1)), &Made::moving, "Share of the bodies that move"),
+            field<Made>("moving", number(between(0, 100)), &Made::moving, "How many of the bodies move").in("per cent"),
             field<Made>("lights", integer(between(1, 1e4)), &Made::lights,
                         "Point lights; together they are as bright however many there are"),
             field<Made>("movingLights", boolean(), &Made::movingLights, "Whether the lights move"),

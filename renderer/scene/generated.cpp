@@ -116,7 +116,7 @@ void addBodies(Scene& scene, const GeneratedLayer& layer) {
         const Index node = add(scene, fmt::format("Body{}", body), at);
         scene.nodes[std::size_t(node)].mesh = Index(scene.meshes.size() - 1);
         // Whole counts of moving bodies, spread evenly over all.
-        if (std::floor((body + 1) * layer.moving) == std::floor(body * layer.moving)) continue;
+        if (std::floor((body + 1) * layer.moving / 100.0) == std::floor(body * layer.moving / 100.0)) continue;
         circle(scene, node, 0.2 * radius);
         turn(scene, node);
     }

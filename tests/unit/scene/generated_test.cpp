@@ -54,8 +54,8 @@ TEST(Generated, TrianglesAreAsManyAsAskedFor) {
 }
 
 TEST(Generated, MovesTheShareThatIsAskedFor) {
-    for (const double share : {0.0, 0.25, 0.5, 1.0}) {
-        const Scene scene = generatedScene({.triangles = 1000, .moving = share, .movingLights = share == 0.25});
+    for (const double percent : {0.0, 25.0, 50.0, 100.0}) {
+        const Scene scene = generatedScene({.triangles = 1000, .moving = percent, .movingLights = percent == 25.0});
         const Moment first = evaluate(scene, std::vector<Index>{0}, 0.0),
                      later = evaluate(scene, std::vector<Index>{0}, 0.7);
         int bodies = 0, lights = 0;
@@ -65,8 +65,8 @@ TEST(Generated, MovesTheShareThatIsAskedFor) {
         for (std::size_t i = 0; i < first.lights.size(); ++i) {
             lights += first.lights[i].position != later.lights[i].position;
         }
-        EXPECT_EQ(bodies, int(64 * share));
-        EXPECT_EQ(lights, share == 0.25 ? 3 : 0);
+        EXPECT_EQ(bodies, int(0.64 * percent));
+        EXPECT_EQ(lights, percent == 25.0 ? 3 : 0);
     }
 }
 
