@@ -77,11 +77,6 @@ glm::dmat3 normalMatrix(const glm::dmat3& m) {
 
 Geometry::Geometry(const Scene& scene, const Moment& first, bool worldFloats)
     : worldFloats_(worldFloats), deformProgram_("deform.comp") {
-    std::size_t triangles = 0, indices = 0;
-    for (const Mesh& mesh : scene.meshes) triangles += mesh.triangleCount(), indices += mesh.indices.size();
-    triangleFlags_.reserve(triangles);
-    indices_.reserve(indices);
-    edges_.reserve(3 * triangles / 2);  // of closed meshes
     topologies_.reserve(scene.meshes.size());
     displaced_.resize(scene.meshes.size());
     for (const Instance& placed : first.instances) {
