@@ -105,7 +105,7 @@ public:
     void summarise(BenchTable& summary) const {
         for (const Curves& of : curves_) {
             const auto times = [](const Curve& curve) {
-                return curve.size() > 1 && curve.front().second > 0.0
+                return curve.size() > 1 && std::min(curve.front().second, curve.back().second) > 0.0
                            ? BenchCell(curve.back().second / curve.front().second)
                            : BenchCell();
             };
