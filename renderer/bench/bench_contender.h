@@ -52,7 +52,7 @@ protected:
 
 /// @param technique  null: without shadows
 /// @param passes  also times passes, in frames of their own
-std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const Technique* technique, bool passes,
+std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const BenchTechnique* technique, bool passes,
                                         const gpu::Context& context);
 
 /// The tracer without shadows and, after it, with each of the offsets (TracerSettings), or with its own where there are

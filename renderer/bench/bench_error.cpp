@@ -74,7 +74,7 @@ void measureError(const Bench& bench, const BenchScenes& scenes, const gpu::Cont
     BenchTable& table = result.tables.emplace_back(BenchTable{"error", "Run time against error", columns(), {}, {}});
     table.remarks.push_back(fmt::format(
         "{} rounds, frames by the wall's clock; samples judged by the exact answer at all frames.", bench.rounds));
-    Races races(bench, scenes, {.passes = false, .offsets = bench.offsets}, "times", context, observer);
+    Races races(bench, scenes, {.passes = false, .offsets = bench.offsets, .tracer = true}, "times", context, observer);
     if (!races.run(table.remarks, interrupted)) return;
     std::size_t frames = 0;
     for (const BenchScene* scene : scenes) frames += scene->frames.size();

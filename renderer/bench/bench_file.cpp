@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "bench/bench_file_parts.h"
 #include "bench/laine_table.h"
 #include "bench/tile_counter.h"
 #include "error.h"
@@ -17,18 +18,7 @@ namespace umbrage {
 namespace {
 
 constexpr const char* kTitle = "bench";
-
-template <class T>
-Type<std::vector<T>> notEmpty(const Type<std::vector<T>>& list) {
-    Type<std::vector<T>> type = list;
-    type.schema["minItems"] = 1;
-    type.read = [read = list.read](const YamlNode& node, const std::string& name) {
-        std::vector<T> values = read(node, name);
-        if (values.empty()) refuse(node, name + " is empty");
-        return values;
-    };
-    return type;
-}
+const std::string kPlain = "plain ";
 
 Type<std::vector<std::string>> measurements() {
     return listOf(choice({"times", "error", "tiles"}), "a list of measurements");
@@ -40,26 +30,17 @@ Type<std::string> tileMethod() {
     return choice(names);
 }
 
-Type<std::vector<Technique>> techniques() {
-    return converted<std::vector<Technique>>(listOf(choice(techniqueNames()), "a list of techniques"),
-                                             [](const std::vector<std::string>& chosen, const YamlNode&) {
-                                                 std::vector<Technique> made;
-                                                 for (const std::string& name : chosen) {
-                                                     made.push_back(Technique::named(name));
-                                                 }
-                                                 return made;
-                                             });
-}
-
-/// What it names becomes part of files' names.
-Type<std::string> fileStem() {
-    return converted<std::string>(
-        text("a name"),
-        [](const std::string& name, const YamlNode& node) {
-            if (name.find_first_of("/\\") != std::string::npos) refuse(node, "a name of files has no slashes");
-            return name;
-        },
-        [](const std::string& name) { return name; });
+Type<std::vector<BenchTechnique>> techniques() {
+    std::vector<std::string> names = techniqueNames();
+    for (const std::string& name : techniqueNames()) names.push_back(kPlain + name);
+    return converted<std::vector<BenchTechnique>>(listOf(choice(names), "a list of techniques"),
+                                                  [](const std::vector<std::string>& chosen, const YamlNode&) {
+                                                      std::vector<BenchTechnique> made;
+                                                      for (const std::string& name : chosen) {
+                                                          made.push_back(BenchTechnique::named(name));
+                                                      }
+                                                      return made;
+                                                  });
 }
 
 Type<BenchSequence> sequence() {
@@ -161,6 +142,7 @@ void checkNames(const Bench& bench, const YamlNode& node) {
         for (const BenchPicture::Panel& panel : picture.panels) known(panel.sequence);
     }
     for (const BenchCurve& curve : bench.curves) known(curve.sequence);
+    for (const BenchGrowth& growth : bench.growth) known(growth.sequence);
     std::sort(names.begin(), names.end());
     const auto twice = std::adjacent_find(names.begin(), names.end());
     if (twice != names.end()) {
@@ -185,36 +167,59 @@ Type<Bench> benchType() {
                          "What is rendered")
                 .required(),
             field<Bench>("techniques", techniques(), &Bench::techniques,
-                         "For times and error: silhouette:count pairs that are compared")
+                         "For times, error and growth: silhouette:count pairs that are compared; \"plain \" in front: "
+                         "without any skip, "
+                         "so that plain cpu:z-fail is the textbook's, with volumes to infinity")
                 .unset("each sequence's own"),
-            field<Bench>("tracer", boolean(), &Bench::tracer,
-                         "For times and error: also by the tracer, Embree's packets of primary rays and one robust "
-                         "occlusion ray "
-                         "for each lit sample and light. Textures and vertex colours are replaced by the factors they "
-                         "are multiplied with, for every technique"),
+            field<Bench>(
+                "tracer", boolean(), &Bench::tracer,
+                "For times, error and growth: also by the tracer, Embree's packets of primary rays and one robust "
+                "occlusion ray "
+                "for each lit sample and light. Textures and vertex colours are replaced by the factors they "
+                "are multiplied with, for every technique"),
             field<Bench>(
                 "offsets", notEmpty(listOf(number(between(0.0, 1.0)), "a list of numbers")), &Bench::offsets,
                 "For error: where the tracer's shadow rays begin, in parts of the largest coordinate or distance "
                 "there"),
             field<Bench>("rounds", integer(between(1, 1000)), &Bench::rounds,
-                         "For times and error: how often everything is measured, all in turn"),
+                         "For times, error and growth: how often everything is measured, all in turn"),
             fieldThrough<Bench, std::array<int, 2>>(
                 "size", arrayOf<2>(integer(between(1, 16384)), "a list [width, height]"),
                 [](Bench& b, const std::array<int, 2>& size) { b.size = size; }, "Width and height in pixels")
                 .unset("each sequence's own"),
             field<Bench>("pictures", pictures(), &Bench::pictures, "Pictures of processed pixels").unset("none"),
             field<Bench>("curves", curves(), &Bench::curves, "Curves of updates").unset("none"),
+            field<Bench>("growth", growths(), &Bench::growth, "How cost grows, by the techniques and the tracer")
+                .unset("none"),
         });
 }
 
 }  // namespace
 
+BenchTechnique BenchTechnique::named(const std::string& name) {
+    const bool plain = name.starts_with(kPlain);
+    return {Technique::named(plain ? name.substr(kPlain.size()) : name), plain};
+}
+
+std::string BenchTechnique::name() const {
+    return (isPlain ? kPlain : "") + technique.name();
+}
+
+Job BenchTechnique::of(Job job) const {
+    job.shadow.silhouette = technique.silhouette;
+    job.shadow.count = technique.count;
+    if (isPlain) {
+        for (const NameAndMeaning& skip : kSkips) job.shadow.skips[std::string(skip.name)] = false;
+    }
+    return job;
+}
+
 Job Bench::jobOf(const BenchSequence& sequence) const {
     JobOverrides overrides;
-    overrides.set = sequence.set;
+    if (size) overrides.set.push_back(fmt::format("image.size=[{}, {}]", (*size)[0], (*size)[1]));
+    overrides.set.insert(overrides.set.end(), sequence.set.begin(), sequence.set.end());
     Job job = readJob(sequence.file.value, overrides);
     if (sequence.frames) job.time.frames = *sequence.frames;
-    if (size) job.image.width = (*size)[0], job.image.height = (*size)[1];
     return job;
 }
 

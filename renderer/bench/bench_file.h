@@ -48,17 +48,47 @@ struct BenchCurve {
     int frame = 1;
 };
 
+/// One value of a sequence changes, all else stays: how cost grows with it.
+struct BenchGrowth {
+    std::string name;  // in tables and of files
+    Located<std::string> sequence;
+    std::string set;                          // path of the value, as --set has it
+    std::vector<std::vector<double>> values;  // of one number, or of a list
+    std::string label;                        // of the axis
+    std::string by;                           // a counter of the first frame is on the axis instead of the value
+    bool isLinear = false;
+    double patienceSeconds = 1.0;  // a frame
+
+    /// As --set has it.
+    std::string assignment(const std::vector<double>& value) const;
+    /// What is assigned, without its path.
+    static std::string text(const std::vector<double>& value);
+};
+
+/// A technique that is compared.
+struct BenchTechnique {
+    Technique technique;
+    bool isPlain = false;  // without any skip
+
+    /// As the file has it.
+    std::string name() const;
+    /// A job by this technique.
+    Job of(Job job) const;
+    static BenchTechnique named(const std::string& name);
+};
+
 struct Bench {
     std::filesystem::path file;
     std::vector<std::string> measure{"times"};
     std::vector<BenchSequence> sequences;
-    std::vector<Technique> techniques;                          // none: each sequence's own
+    std::vector<BenchTechnique> techniques;                     // none: each sequence's own
     bool tracer = false;                                        // constant colours, so that it can take part
     std::vector<double> offsets{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};  // of the tracer, for error
     int rounds = 5;
     std::optional<std::array<int, 2>> size;  // instead of each sequence's
     std::vector<BenchPicture> pictures;
     std::vector<BenchCurve> curves;
+    std::vector<BenchGrowth> growth;
 
     const std::vector<std::string>& measureOf(const BenchSequence& sequence) const {
         return sequence.measure ? *sequence.measure : measure;

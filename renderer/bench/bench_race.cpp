@@ -25,16 +25,20 @@ Contender* Races::enter(std::unique_ptr<Contender> contender) {
     return entered;
 }
 
+bool Races::traces(const BenchScene& scene) const {
+    return wishes_.tracer && bench_.tracerFor(scene.sequence);
+}
+
 bool Races::setUp(const BenchScene& scene, const std::atomic<bool>& interrupted) {
-    std::vector<Technique> techniques = bench_.techniques;
-    if (techniques.empty()) techniques = {techniqueOf(scene.job)};
+    std::vector<BenchTechnique> techniques = bench_.techniques;
+    if (techniques.empty()) techniques = {{techniqueOf(scene.job)}};
     Race& race = races_.emplace_back();
     const Contender* bare = enter(makeRenderer(scene, nullptr, wishes_.passes, context_));
-    for (const Technique& technique : techniques) {
+    for (const BenchTechnique& technique : techniques) {
         if (interrupted) return false;
         race.rows.push_back({enter(makeRenderer(scene, &technique, wishes_.passes, context_)), bare});
     }
-    if (!bench_.tracerFor(scene.sequence)) return true;
+    if (!traces(scene)) return true;
     const std::size_t first = race.rows.size();
     const Contender* bareTracer = nullptr;
     for (std::unique_ptr<Contender>& tracer : makeTracers(scene, wishes_.offsets)) {
@@ -48,7 +52,7 @@ bool Races::setUp(const BenchScene& scene, const std::atomic<bool>& interrupted)
 
 bool Races::run(std::vector<std::string>& remarks, const std::atomic<bool>& interrupted) {
     std::size_t count = 0;
-    const auto traced = [&](const BenchScene* scene) { return bench_.tracerFor(scene->sequence); };
+    const auto traced = [&](const BenchScene* scene) { return traces(*scene); };
     for (const BenchScene* scene : scenes_) {
         count += 1 + std::max<std::size_t>(1, bench_.techniques.size());
         if (traced(scene)) count += 1 + std::max<std::size_t>(1, wishes_.offsets.size());

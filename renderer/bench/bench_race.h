@@ -32,6 +32,7 @@ public:
     struct Wishes {
         bool passes = false;          // times them, too
         std::vector<double> offsets;  // of the tracer; none: its own
+        bool tracer = true;           // where the bench has it
     };
     /// @param what  is measured, for the observer
     Races(const Bench& bench, const BenchScenes& scenes, const Wishes& wishes, const char* what,
@@ -46,6 +47,7 @@ public:
     const std::vector<Race>& all() const { return races_; }
 
 private:
+    bool traces(const BenchScene& scene) const;
     bool setUp(const BenchScene& scene, const std::atomic<bool>& interrupted);
     Contender* enter(std::unique_ptr<Contender> contender);
 

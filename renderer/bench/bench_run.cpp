@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "bench/bench_error.h"
+#include "bench/bench_growth.h"
 #include "bench/bench_pictures.h"
 #include "bench/bench_scene.h"
 #include "bench/bench_tiles.h"
@@ -84,7 +85,7 @@ BenchResult runBench(const Bench& bench, const gpu::Context& context, bool allow
     SceneByName scenes;
     for (const BenchSequence& sequence : bench.sequences) {
         std::unique_ptr<BenchScene>& scene = scenes[sequence.name];
-        scene = std::make_unique<BenchScene>(bench, sequence, allowExternalFiles);
+        scene = std::make_unique<BenchScene>(bench, sequence, allowExternalFiles, context.info());
         for (const std::string& note : scene->composition.scene.notes) observer.note(sequence.name + ": " + note);
     }
     BenchResult result;
@@ -97,6 +98,7 @@ BenchResult runBench(const Bench& bench, const gpu::Context& context, bool allow
     if (const BenchScenes of = measured(bench, scenes, "tiles"); !of.empty()) {
         measureTiles(of, context, threads, observer, interrupted, result);
     }
+    measureGrowth(bench, allowExternalFiles, context, observer, interrupted, result);
     draw(bench, scenes, context, threads, observer, interrupted, result);
     return result;
 }

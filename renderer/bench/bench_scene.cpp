@@ -15,9 +15,10 @@ GltfOptions gltfOptions(bool allowExternalFiles) {
 
 }  // namespace
 
-BenchScene::BenchScene(const Bench& bench, const BenchSequence& from, bool allowExternalFiles)
+BenchScene::BenchScene(const Bench& bench, const BenchSequence& from, bool allowExternalFiles,
+                       const gpu::DeviceInfo& device)
     : sequence(from),
-      job(bench.jobOf(from)),
+      job(chosenFor(bench.jobOf(from), device)),
       composition(compose(job, gltfOptions(allowExternalFiles))),
       frames(framesOf(job, composition).frames()) {
     if (!bench.tracerFor(from)) return;

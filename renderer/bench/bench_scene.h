@@ -13,14 +13,14 @@ namespace umbrage {
 
 struct BenchScene {
     /// @throws Error
-    BenchScene(const Bench& bench, const BenchSequence& from, bool allowExternalFiles);
+    BenchScene(const Bench& bench, const BenchSequence& from, bool allowExternalFiles, const gpu::DeviceInfo& device);
 
     PlacedMoment at(int frame) const { return placedMoment(job, composition, frame); }
     /// Ready for its first frame.
     std::unique_ptr<FrameRenderer> renderer(const FrameSettings& settings, const gpu::Context& context) const;
 
     const BenchSequence& sequence;
-    Job job;
+    Job job;  // with what is best on the device where it leaves the technique open
     Composition composition;
     std::vector<int> frames;
 };

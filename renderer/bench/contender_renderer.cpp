@@ -11,12 +11,12 @@ namespace {
 
 class RendererContender : public Contender {
 public:
-    RendererContender(const BenchScene& scene, const Technique* technique, bool passes, const gpu::Context& context)
+    RendererContender(const BenchScene& scene, const BenchTechnique* technique, bool passes,
+                      const gpu::Context& context)
         : Contender(scene, technique ? technique->name() : "without shadows") {
-        FrameSettings settings = settingsOf(scene.job, scene.composition);
+        FrameSettings settings = settingsOf(technique ? technique->of(scene.job) : scene.job, scene.composition);
         settings.shadows = technique != nullptr;
         settings.profile = false;
-        if (technique) choose(*technique, settings);
         const Stopwatch watch;
         plain_ = scene.renderer(settings, context);
         render(*plain_, scene.frames.front(), {});
@@ -75,7 +75,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const Technique* technique, bool passes,
+std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const BenchTechnique* technique, bool passes,
                                         const gpu::Context& context) {
     return std::make_unique<RendererContender>(scene, technique, passes, context);
 }

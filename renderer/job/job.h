@@ -56,6 +56,18 @@ struct GltfLayer {
     LayerTransform transform;
 };
 
+/// scene: - generated: a scene of any size, made when it is asked for (scene/generated.h)
+struct GeneratedLayer {
+    int triangles = 100000;   // of all bodies, about
+    int columns = 64;         // of bodies, on a square grid
+    int layers = 1;           // bodies above each other in a column
+    double roughness = 0.15;  // how far the bodies' surface goes in and out, in parts of their size
+    double moving = 50.0;     // per cent of the bodies
+    int lights = 3;
+    bool movingLights = false;
+    double lightRangeMetres = 0.0;  // 0: unlimited
+};
+
 /// Opinions on a light: in over: and in lights:. Angles in degrees in the file, radians here.
 struct LightOpinion {
     std::optional<Sampled<1>> intensity;  // candela or lux, >= 0
@@ -130,6 +142,7 @@ struct Job {
     std::filesystem::path file;  // the sequence file, for messages; or the bare scene
     std::string shape;           // what of it shapes the pictures, the same however it is written
     std::vector<GltfLayer> gltfLayers;
+    std::vector<GeneratedLayer> generatedLayers;
     std::vector<OverLayer> overLayers;
     std::vector<JobLight> lights;
     JobCamera camera;

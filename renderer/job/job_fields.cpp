@@ -312,6 +312,7 @@ Type<Job::Statistics> statisticsSettings() {
 void setLayers(Job& job, const std::vector<Layer>& layers) {
     for (const Layer& entry : layers) {
         if (const auto* gltf = std::get_if<GltfLayer>(&entry)) job.gltfLayers.push_back(*gltf);
+        if (const auto* generated = std::get_if<GeneratedLayer>(&entry)) job.generatedLayers.push_back(*generated);
         if (const auto* overs = std::get_if<Overs>(&entry))
             job.overLayers.insert(job.overLayers.end(), overs->begin(), overs->end());
     }
@@ -330,7 +331,8 @@ void checkJob(const Job& job, const YamlNode& node) {
                fmt::format("{} is measured only where diagnostics.profile is true", budget.name),
                "set diagnostics.profile to true");
     }
-    if (job.gltfLayers.empty()) refuse(*node.find("scene"), "the scene has no glTF layer", "add - gltf: FILE");
+    if (job.gltfLayers.empty() && job.generatedLayers.empty())
+        refuse(*node.find("scene"), "the scene has no glTF layer", "add - gltf: FILE");
 }
 
 }  // namespace
@@ -344,7 +346,7 @@ Type<Job> sequenceType() {
                 "umbrage", oneOf({1}), [](Job&, int) {}, "Version of this format")
                 .required(),
             fieldThrough<Job, std::vector<Layer>>("scene", layers(), setLayers,
-                                                  "What is there; at least one glTF layer")
+                                                  "What is there; at least one glTF layer or generated one")
                 .required(),
             field<Job>("lights", extraLights(), &Job::lights, "Lights besides those of the files").unset("none"),
             field<Job>("camera", camera(), &Job::camera, "Path, name or index of a camera in the scene, or a new one")

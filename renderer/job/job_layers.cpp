@@ -88,13 +88,17 @@ Type<Overs> overLayer() {
 
 Type<Layer> layer() {
     const auto asLayer = [](const auto& value, const YamlNode&) { return Layer(value); };
-    Type<Layer> type = either(converted<Layer>(gltfLayer(), asLayer), converted<Layer>(overLayer(), asLayer),
-                              [](const YamlNode& node) { return !node.find("over"); });
+    const Type<Layer> others =
+        either(converted<Layer>(generatedLayer(), asLayer), converted<Layer>(overLayer(), asLayer),
+               [](const YamlNode& node) { return node.find("generated") != nullptr; });
+    Type<Layer> type = either(converted<Layer>(gltfLayer(), asLayer), others,
+                              [](const YamlNode& node) { return !node.find("generated") && !node.find("over"); });
     type.read = [read = type.read](const YamlNode& node, const std::string& name) {
-        if (node.isMapping() && !node.find("gltf") && !node.find("over")) {
+        const std::vector<std::string> known{"gltf", "generated", "over"};
+        const auto has = [&](const std::string& key) { return node.find(key) != nullptr; };
+        if (node.isMapping() && std::none_of(known.begin(), known.end(), has)) {
             const std::string written = node.keys.empty() ? "" : node.keys.front().scalar;
-            refuse(node, "a layer needs the key \"gltf\" or \"over\"",
-                   hintForName(written, std::vector<std::string>{"gltf", "over"}));
+            refuse(node, "a layer needs the key \"gltf\", \"generated\" or \"over\"", hintForName(written, known));
         }
         return read(node, name);
     };

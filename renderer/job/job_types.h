@@ -58,8 +58,11 @@ Type<std::optional<T>> opinion(const Type<T>& type) {
 
 // job_layers.cpp
 using Overs = std::vector<OverLayer>;
-using Layer = std::variant<GltfLayer, Overs>;
+using Layer = std::variant<GltfLayer, GeneratedLayer, Overs>;
 Type<std::vector<Layer>> layers();
+
+// job_generated.cpp
+Type<GeneratedLayer> generatedLayer();
 
 // job_golden.cpp
 Type<JobGolden> goldenSettings();

@@ -10,7 +10,9 @@
 #include "error.h"
 #include "job/names.h"
 #include "scene/aim.h"
+#include "scene/append_scene.h"
 #include "scene/compose_parts.h"
+#include "scene/generated.h"
 #include "scene/node_paths.h"
 
 namespace umbrage {
@@ -66,6 +68,7 @@ Composition compose(const Job& job, const GltfOptions& options) {
     Composition composition;
     Scene& scene = composition.scene;
     for (const GltfLayer& layer : job.gltfLayers) addLayer(scene, layer, options);
+    for (const GeneratedLayer& layer : job.generatedLayers) appendScene(scene, generatedScene(layer), kNone);
     for (const OverLayer& over : job.overLayers) applyOver(scene, over);
     for (const JobLight& light : job.lights) addLight(scene, light);
     for (const JobDisplacement& displacement : job.displacements) addDisplacement(scene, displacement);

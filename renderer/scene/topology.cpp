@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <numeric>
+#include <tuple>
 
 namespace umbrage {
 namespace {
@@ -101,9 +102,10 @@ private:
 
 /// Turns the triangles of one edge into records, pairing opposite directions first: they cancel when both face the
 /// light alike, which keeps the records' multiplicities small.
+/// @param halves  those that are not reversed first
 void appendRecords(std::span<const HalfEdge> halves, std::vector<MeshEdge>& edges) {
-    std::vector<const HalfEdge*> forward, backward, rest;
-    for (const HalfEdge& half : halves) (half.reversed ? backward : forward).push_back(&half);
+    const auto firstReversed = std::ranges::find(halves, true, &HalfEdge::reversed);
+    const std::span<const HalfEdge> forward(halves.begin(), firstReversed), backward(firstReversed, halves.end());
     const auto record = [&](const HalfEdge* left, const HalfEdge* right) {
         MeshEdge edge;
         edge.a = std::uint32_t(left->vertices >> 32);
@@ -117,10 +119,9 @@ void appendRecords(std::span<const HalfEdge> halves, std::vector<MeshEdge>& edge
         edges.push_back(edge);
     };
     const std::size_t pairs = std::min(forward.size(), backward.size());
-    for (std::size_t i = 0; i < pairs; ++i) record(forward[i], backward[i]);
-    rest.insert(rest.end(), forward.begin() + std::ptrdiff_t(pairs), forward.end());
-    rest.insert(rest.end(), backward.begin() + std::ptrdiff_t(pairs), backward.end());
-    for (std::size_t i = 0; i < rest.size(); i += 2) record(rest[i], i + 1 < rest.size() ? rest[i + 1] : nullptr);
+    for (std::size_t i = 0; i < pairs; ++i) record(&forward[i], &backward[i]);
+    const std::span<const HalfEdge> rest = (forward.size() > pairs ? forward : backward).subspan(pairs);
+    for (std::size_t i = 0; i < rest.size(); i += 2) record(&rest[i], i + 1 < rest.size() ? &rest[i + 1] : nullptr);
 }
 
 }  // namespace
@@ -194,7 +195,7 @@ MeshTopology buildTopology(const Mesh& mesh, std::span<const Material> materials
         }
     }
     std::sort(halves.begin(), halves.end(), [](const HalfEdge& x, const HalfEdge& y) {
-        return x.vertices != y.vertices ? x.vertices < y.vertices : x.triangle < y.triangle;
+        return std::tie(x.vertices, x.reversed, x.triangle) < std::tie(y.vertices, y.reversed, y.triangle);
     });
 
     Components components(triangleCount);

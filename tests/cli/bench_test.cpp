@@ -108,6 +108,46 @@ TEST_F(BenchCommand, CountsTilesAndDrawsThem) {
     EXPECT_EQ(valuesOf(folder() / "made/processed.png").size() % (128 * 96), 0u);
 }
 
+TEST_F(BenchCommand, PlotsHowCostGrows) {
+    writeFile("seq.yaml",
+              "umbrage: 1\nscene: [{generated: {triangles: 200, columns: 4, lights: 1}}]\nimage: {size: [64, 48]}\n");
+    writeFile("bench.yaml",
+              "bench: 1\nrounds: 1\ntracer: true\nmeasure: []\nsequences: [{file: seq.yaml}]\n"
+              "techniques: [\"cpu:z-pass\", \"plain cpu:z-fail\"]\ngrowth:\n"
+              "  - {name: triangles, sequence: seq, set: scene.0.generated.triangles, values: [100, 1000]}\n"
+              "  - {name: size, sequence: seq, set: image.size, values: [[64, 48], [128, 96]], patience: 1.0e-6}\n"
+              "  - {name: edges, sequence: seq, set: scene.0.generated.triangles, values: [100, 1000], by: edges}\n");
+    const Result result = umbrage({"bench", "bench.yaml", "--json", "made/b.json", "--out", "made"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(filesIn("made"), testing::IsSupersetOf({"growth-triangles.svg", "growth-triangles-shadows.png",
+                                                        "growth-size.svg", "growth-edges.png"}));
+    const Json file = json("made/b.json");
+    const auto rowsOf = [&](const Json& table, const std::string& growth) {
+        std::vector<Json> rows;
+        for (const Json& row : table["rows"]) {
+            if (row["growth"] == growth) rows.push_back(row);
+        }
+        return rows;
+    };
+    const Json costs = file["measurements"][0], exponents = file["measurements"][1];
+    const std::vector<Json> triangles = rowsOf(costs, "triangles");
+    ASSERT_THAT(triangles, SizeIs(10)) << "two techniques, the tracer, and twice no shadows, at two values";
+    EXPECT_EQ(triangles[1]["technique"], "plain cpu:z-fail");
+    EXPECT_EQ(triangles[3]["technique"], "without shadows");
+    EXPECT_EQ(triangles[7]["x"], 1000.0);
+    EXPECT_DOUBLE_EQ(triangles[7]["shadows.ms"].get<double>(),
+                     triangles[7]["frame.ms"].get<double>() - triangles[7]["unshadowed.ms"].get<double>());
+    EXPECT_THAT(rowsOf(costs, "size"), SizeIs(5)) << "nobody has patience for the second value";
+    EXPECT_THAT(costs["remarks"].dump(), HasSubstr("size: tracer took 0.0 s a frame at [64, 48]"));
+    const std::vector<Json> edges = rowsOf(costs, "edges");
+    ASSERT_THAT(edges, SizeIs(10));
+    EXPECT_EQ(edges[0]["x"], 12 * (1 + 3 * 2 * 2) + 5.0) << "an octahedron, three of two cuts, and the ground";
+    const std::vector<Json> grown = rowsOf(exponents, "triangles");
+    ASSERT_THAT(grown, SizeIs(5));
+    EXPECT_EQ(grown[0]["x.high"], 1000.0);
+    EXPECT_THAT(file["plots"]["growth-triangles-shadows"]["series"]["tracer"], SizeIs(2));
+}
+
 TEST_F(BenchCommand, RefusesBadFilesAndOptions) {
     const Result missing = umbrage({"bench", "nowhere.yaml"});
     EXPECT_EQ(missing.exitCode, 3);
@@ -130,6 +170,12 @@ TEST_F(BenchCommand, RefusesBadFilesAndOptions) {
     EXPECT_THAT(sizes.err, HasSubstr("bench.yaml:4:"));
     EXPECT_THAT(sizes.err, HasSubstr("another size"));
     EXPECT_THAT(sizes.out, IsEmpty());
+    writeFile("bench.yaml",
+              "bench: 1\nsequences: [{file: seq.yaml}]\nmeasure: []\n"
+              "growth: [{name: g, sequence: seq, set: image.sise, values: [1]}]\n");
+    const Result path = umbrage({"bench", "bench.yaml"});
+    EXPECT_EQ(path.exitCode, 3);
+    EXPECT_THAT(path.err, HasSubstr("--set image.sise"));
     writeFile("bench.yaml", "bench: 1\ntracer: true\nsequences: [{file: seq.yaml, set: [image.samples=4]}]\n");
     const Result samples = umbrage({"bench", "bench.yaml"});
     EXPECT_EQ(samples.exitCode, 3);

@@ -6,7 +6,9 @@
 
 #include <filesystem>
 
+#include "bench/bench_scene.h"
 #include "error.h"
+#include "job/names.h"
 
 namespace umbrage {
 namespace {
@@ -55,6 +57,32 @@ TEST(BenchFile, ReadsTechniquesPlanesAndPictures) {
     ASSERT_EQ(bench.pictures.size(), 1u);
     EXPECT_EQ(bench.pictures[0].panels[1].frame, 4);
     EXPECT_FALSE(bench.pictures[0].panels[0].frame.has_value());
+}
+
+TEST(BenchFile, PlainTechniquesHaveNoSkips) {
+    const Bench bench = read("bench: 1\nsequences: [{file: a.yaml}]\ntechniques: [plain cpu:z-fail, compute:z-pass]\n");
+    ASSERT_EQ(bench.techniques.size(), 2u);
+    EXPECT_EQ(bench.techniques[0].name(), "plain cpu:z-fail");
+    const Job plain = bench.techniques[0].of({}), usual = bench.techniques[1].of({});
+    EXPECT_EQ(plain.shadow.silhouette, "cpu");
+    EXPECT_EQ(plain.shadow.count, "z-fail");
+    for (const NameAndMeaning& skip : kSkips) EXPECT_FALSE(plain.shadow.skips.at(std::string(skip.name)));
+    EXPECT_TRUE(usual.shadow.skips.empty());
+}
+
+TEST(BenchFile, WhatASequenceLeavesOpenIsChosenForTheDevice) {
+    const Bench bench = parseBench(
+        "bench: 1\nsequences: [{file: knight.yaml}, {file: knight.yaml, name: own, set: "
+        "[shadow.silhouette=geometry-shader]}]\n",
+        "b.yaml", UMBRAGE_SOURCE_DIR "/configs");
+    for (const bool software : {true, false}) {
+        gpu::DeviceInfo device;
+        device.software = software;
+        const Technique rendered = techniqueOf(chosenFor(bench.jobOf(bench.sequences[0]), device));
+        const BenchScene scene(bench, bench.sequences[0], false, device), own(bench, bench.sequences[1], false, device);
+        EXPECT_EQ(techniqueOf(scene.job).name(), rendered.name());
+        EXPECT_EQ(own.job.shadow.silhouette, "geometry-shader");
+    }
 }
 
 TEST(BenchFile, TheTracerTakesPartWhereItIsWanted) {

@@ -26,7 +26,7 @@ TEST(JobErrors, UnknownKeysNameTheNearestOne) {
 
 TEST(JobErrors, KeysOfLaterFormatsAreUnknown) {
     expectRefused("umbrage: 1\nscene: [{gltf: a.glb}, {variant: {material: night}}]\n",
-                  {"s.yaml:2:24", "a layer needs the key", "gltf, over"});
+                  {"s.yaml:2:24", "a layer needs the key", "gltf, generated, over"});
     expectRefused("umbrage: 1\nscene: [{gltf: a.glb, instances: {grid: [4, 4]}}]\n",
                   {"s.yaml:2:23", "unknown key \"instances\" in glTF layer", ""});
 }
