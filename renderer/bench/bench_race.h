@@ -32,6 +32,7 @@ public:
     struct Wishes {
         bool passes = false;          // times them, too
         std::vector<double> offsets;  // of the tracer; none: its own
+        std::vector<int> shadowMaps;  // sizes, each with a bias and without
     };
     /// @param what  is measured, for the observer
     Races(const Bench& bench, const BenchScenes& scenes, const Wishes& wishes, const char* what,
