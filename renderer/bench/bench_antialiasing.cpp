@@ -13,9 +13,6 @@
 namespace umbrage {
 namespace {
 
-/// Far along the sequence, so that no picture of the reference is one of those that it judges.
-constexpr int kFirstOfReference = 1 << 20;
-
 /// A way to antialias one sequence.
 struct Way {
     bool isAccumulation;
@@ -37,9 +34,9 @@ std::vector<float> displayed(std::vector<float> radiance, const DisplayTransform
     return rgb;
 }
 
-std::vector<float> render(FrameRenderer& renderer, const PlacedMoment& now, int frame, int first = 0) {
+std::vector<float> render(FrameRenderer& renderer, const PlacedMoment& now, int frame) {
     Statistics unused;
-    return renderAccumulated(renderer, now, {}, frame, unused, nullptr, first).radiance;
+    return renderAccumulated(renderer, now, {}, frame, unused).radiance;
 }
 
 class Antialiased {
@@ -56,7 +53,7 @@ public:
         const auto reference = renderer(1, bench_.referencePictures);
         for (const int frame : scene_.frames) {
             const PlacedMoment now = scene_.at(frame);
-            const std::vector<float> exact = displayed(render(*reference, now, frame, kFirstOfReference), *display_);
+            const std::vector<float> exact = displayed(render(*reference, now, frame), *display_);
             for (Way& way : ways) {
                 if (interrupted) return;
                 const std::vector<float> rgb = displayed(render(*way.renderer, now, frame), *display_);

@@ -210,8 +210,8 @@ Type<Bench> benchType() {
                          "For antialiasing: values of image.accumulation, with one sample a pixel, that are compared "
                          "with the numbers of samples (image.samples) that the device offers"),
             field<Bench>("reference", integer(between(1, 65536)), &Bench::referencePictures,
-                         "For antialiasing: pictures that the converged frame is the mean of, at other places in the "
-                         "pixels"),
+                         "For antialiasing: pictures that the converged frame is the mean of; at places in the pixels "
+                         "that frames with less have not"),
             field<Bench>("rounds", integer(between(1, 1000)), &Bench::rounds,
                          "For times, error and antialiasing: how often everything is measured, all in turn"),
             fieldThrough<Bench, std::array<int, 2>>(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frame/accumulate.h"
 
+#include <bit>
 #include <cmath>
-#include <utility>
 
 namespace umbrage {
 namespace {
@@ -39,21 +39,28 @@ FrameOutputs onlyMeans(const FrameOutputs& outputs) {
 
 }  // namespace
 
-glm::dvec2 accumulationShift(int index, int samples) {
-    constexpr double kPlastic = 1.32471795724474602596;  // x^3 = x + 1
-    const auto at = [&](double step) {
-        const double place = 0.5 + index * step;
-        return (place - std::floor(place) - 0.5) / std::sqrt(double(samples));
+glm::dvec2 accumulationShift(int index, int count, int samples) {
+    const std::uint32_t strata = std::bit_ceil(std::uint32_t(count));
+    // A digit of the index adds its direction number: 1/2, 1/4, 1/8 ..., or of the second dimension 1/2, 3/4, 5/8 ...
+    std::uint32_t first = 0, second = 0, one = 1u << 31, other = 1u << 31;
+    for (auto digits = std::uint32_t(index); digits != 0; digits >>= 1) {
+        if (digits & 1u) first ^= one, second ^= other;
+        one >>= 1;
+        other ^= other >> 1;
+    }
+    const auto at = [&](std::uint32_t place) {
+        const double moved = place * 0x1p-32 + (strata / 2 + 0.5) / strata;
+        return (moved - std::floor(moved) - 0.5) / std::sqrt(double(samples));
     };
-    return {at(1.0 / kPlastic), at(1.0 / (kPlastic * kPlastic))};
+    return {at(first), at(second)};
 }
 
 FramePixels renderAccumulated(FrameRenderer& renderer, const PlacedMoment& now, const FrameOutputs& outputs, int frame,
-                              Statistics& statistics, const PlacedMoment* before, int first) {
+                              Statistics& statistics, const PlacedMoment* before) {
     const FrameSettings& settings = renderer.settings();
     const auto cameraOf = [&](int picture) {
         PlacedCamera camera = now.camera;
-        camera.shiftPixels = accumulationShift(first + picture, settings.samples);
+        camera.shiftPixels = accumulationShift(picture, settings.accumulation, settings.samples);
         return camera;
     };
     FramePixels mean = renderer.render(now.moment, cameraOf(0), outputs, frame, statistics, before);

@@ -7,19 +7,19 @@
 
 namespace umbrage {
 
-/// Where picture `index` of an accumulated frame is taken: the R2 sequence (M. Roberts, The Unreasonable Effectiveness
-/// of Quasirandom Sequences, 2018), which begins in the middle of the pixel: the first picture is that of a frame that
-/// is not accumulated.
+/// Where picture `index` of `count` is taken: the first two dimensions of Sobol's sequence (Sobol 1967; a (0,
+/// 2)-sequence in base 2), moved to the middles of its strata, with the one that is nearest to the middle of the pixel
+/// first. So a power of two of pictures has one in each of as many columns and rows, which for borders along an axis
+/// the R2 sequence has not; and a single picture is taken in the middle.
 /// @param samples  a pixel already has; they share the pixel, and each is moved within its share alone
 /// @return PlacedCamera::shiftPixels: from -1/2 to 1/2 over the root of `samples`
-glm::dvec2 accumulationShift(int index, int samples);
+glm::dvec2 accumulationShift(int index, int count, int samples);
 
-/// Renders a frame as often as FrameSettings::accumulation says, at the shifts from `first` on, and takes means in
+/// Renders a frame as often as FrameSettings::accumulation says and takes means in
 /// double, in the order of the pictures: of the radiance, the shadows and the AOVs light, ambient and emissive. All
 /// else is the first picture's, but for milliseconds, which add up, and notes.
 /// @param before  as FrameRenderer::render()
-/// @param first  0, but for a reference that shares no places with others
 FramePixels renderAccumulated(FrameRenderer& renderer, const PlacedMoment& now, const FrameOutputs& outputs, int frame,
-                              Statistics& statistics, const PlacedMoment* before = nullptr, int first = 0);
+                              Statistics& statistics, const PlacedMoment* before = nullptr);
 
 }  // namespace umbrage

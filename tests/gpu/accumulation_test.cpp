@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Antialiasing by accumulation: pictures taken off the pixels' centres are as exact as others, and their mean is what
 // pixels cover.
+#include <set>
+
 #include "frame/accumulate.h"
 #include "sheets.h"
 #include "subjects.h"
@@ -13,10 +15,10 @@ PlacedMoment placed(const Subject& subject) {
 }
 
 FramePixels accumulated(const PlacedMoment& now, const Scene& scene, const FrameSettings& settings,
-                        const FrameOutputs& outputs = {}, int first = 0) {
+                        const FrameOutputs& outputs = {}) {
     FrameRenderer renderer(scene, now.moment, settings, context());
     Statistics statistics;
-    return renderAccumulated(renderer, now, outputs, 1, statistics, nullptr, first);
+    return renderAccumulated(renderer, now, outputs, 1, statistics);
 }
 
 /// Root of the mean square of the differences in red, green and blue, each at most 1.
@@ -51,8 +53,8 @@ TEST_P(Shifted, MasksAreExactAtEveryShift) {
         FrameOutputs outputs;
         outputs.samples = true;
         PlacedCamera camera = subject.camera;
-        for (int picture = 1; picture <= 2; ++picture) {
-            camera.shiftPixels = accumulationShift(picture, 1);
+        for (int picture = 0; picture < 2; ++picture) {
+            camera.shiftPixels = accumulationShift(picture, 16, 1);
             Statistics statistics;
             const FramePixels pixels = renderer.render(moment, camera, outputs, 1, statistics);
             judge.setFrame(moment, camera, renderer, pixels);
@@ -64,20 +66,28 @@ TEST_P(Shifted, MasksAreExactAtEveryShift) {
     }
 }
 
-TEST(Accumulation, BeginsInTheMiddleAndFillsThePixel) {
+TEST(Accumulation, OneIsInTheMiddleAndMoreFillColumnsRowsAndCells) {
     for (const int samples : {1, 4}) {
-        EXPECT_EQ(accumulationShift(0, samples), glm::dvec2(0.0));
-        constexpr int kCells = 8;
-        std::vector<int> counts(kCells * kCells);
-        for (int i = 0; i < 256; ++i) {
-            const glm::dvec2 place =
-                (accumulationShift(i, samples) * std::sqrt(double(samples)) + 0.5) * double(kCells);
-            ASSERT_TRUE(place.x >= 0.0 && place.x < kCells && place.y >= 0.0 && place.y < kCells);
-            ++counts[std::size_t(int(place.y) * kCells + int(place.x))];
+        EXPECT_EQ(accumulationShift(0, 1, samples), glm::dvec2(0.0));
+        for (const int count : {2, 16, 64, 256}) {
+            std::set<int> columns, rows, cells;
+            const int side = count == 2 ? 1 : int(std::sqrt(count));
+            glm::dvec2 mean(0.0);
+            for (int i = 0; i < count; ++i) {
+                const glm::dvec2 shift = accumulationShift(i, count, samples) * std::sqrt(double(samples));
+                EXPECT_TRUE(i > 0 || std::abs(glm::length(shift) - std::sqrt(0.5) / count) < 1e-12);
+                const glm::dvec2 place = shift + 0.5;
+                columns.insert(int(std::floor(place.x * count)));
+                rows.insert(int(std::floor(place.y * count)));
+                cells.insert(int(place.y * side) * side + int(place.x * side));
+                mean += shift;
+            }
+            EXPECT_EQ(int(columns.size()), count);
+            EXPECT_EQ(int(rows.size()), count);
+            EXPECT_EQ(int(cells.size()), side * side);
+            EXPECT_TRUE(*columns.begin() == 0 && *columns.rbegin() == count - 1);
+            EXPECT_NEAR(glm::length(mean), 0.0, 1e-9);
         }
-        // Of 256 random places some cell would hold none or ten.
-        EXPECT_GE(*std::ranges::min_element(counts), 2);
-        EXPECT_LE(*std::ranges::max_element(counts), 6);
     }
 }
 
@@ -150,7 +160,7 @@ TEST(Accumulation, OfSixteenCoversLikeThePixel) {
             const FramePixels pixels = subject.render(1, 16);
             EXPECT_EQ(pixels.radiance[subject.sheets.index(4, 5)], 0.0f);
             EXPECT_EQ(pixels.radiance[subject.sheets.index(6, 5)], 1.0f);
-            EXPECT_NEAR(pixels.radiance[subject.sheets.index(5, 5)], 6.0 - at, 1.0 / 16.0) << at;
+            EXPECT_NEAR(pixels.radiance[subject.sheets.index(5, 5)], 6.0 - at, 1.0 / 32.0 + 1e-3) << at;
         }
     }
 }
@@ -168,13 +178,13 @@ TEST(Accumulation, ComesNearerLikeSamples) {
     const Subject subject = ours("knight", 96, 64);
     FrameOutputs outputs;
     outputs.shadows = true;
-    const auto made = [&](int samples, int accumulation, int first = 0) {
+    const auto made = [&](int samples, int accumulation) {
         FrameSettings settings = subject.settings();
         settings.samples = samples;
         settings.accumulation = accumulation;
-        return accumulated(placed(subject), subject.scene, settings, outputs, first);
+        return accumulated(placed(subject), subject.scene, settings, outputs);
     };
-    const FramePixels reference = made(1, 256, 1000);
+    const FramePixels reference = made(1, 256);
     const double one = rmse(made(1, 1).radiance, reference.radiance),
                  four = rmse(made(4, 1).radiance, reference.radiance);
     const double pictures = rmse(made(1, 4).radiance, reference.radiance);
@@ -182,24 +192,28 @@ TEST(Accumulation, ComesNearerLikeSamples) {
     EXPECT_LT(four, 0.6 * one);
     EXPECT_LT(pictures, 0.6 * one);
     EXPECT_LT(pictures, 1.5 * four);
-    EXPECT_LT(rmse(both.radiance, reference.radiance), 0.15 * one);
+    EXPECT_LT(rmse(both.radiance, reference.radiance), 0.25 * one);
     double difference = 0.0, partly = 0.0;
     for (std::size_t i = 0; i < both.lights[0].shadow.size(); ++i) {
         const double share = reference.lights[0].shadow[i];
         difference = std::max(difference, std::abs(double(both.lights[0].shadow[i]) - share));
         partly += share > 0.0 && share < 1.0;
     }
-    EXPECT_LT(difference, 0.12);
+    EXPECT_LT(difference, 0.2);
     EXPECT_GT(partly, 100.0);
 }
 
 TEST(Accumulation, DataIsOfTheFirstPictureAndLightAddsUp) {
-    const Subject subject = ours("courtyard", 64, 48);
+    const Subject subject = ours("knight", 64, 48);
     FrameOutputs outputs;
     outputs.geometry = outputs.counts = true;
     outputs.aovs = {"ids", "light", "ambient", "emissive"};
     FrameSettings settings = subject.settings();
-    const FramePixels one = accumulated(placed(subject), subject.scene, settings, outputs);
+    PlacedMoment first = placed(subject);
+    first.camera.shiftPixels = accumulationShift(0, 3, 1);
+    FrameRenderer renderer(subject.scene, first.moment, settings, context());
+    Statistics statistics;
+    const FramePixels one = renderer.render(first.moment, first.camera, outputs, 1, statistics);
     settings.accumulation = 3;
     const FramePixels three = accumulated(placed(subject), subject.scene, settings, outputs);
     EXPECT_NE(three.radiance, one.radiance);
