@@ -25,6 +25,17 @@ struct Way {
     double rmse() const { return std::sqrt(squares / values); }
 };
 
+/// Numbers of samples that the device has; asked for another one it takes the next greater.
+std::vector<int> sampleCounts(const gpu::Context& context) {
+    GLint number = 0;
+    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, GL_RGBA32F, GL_NUM_SAMPLE_COUNTS, 1, &number);
+    std::vector<GLint> counts(static_cast<std::size_t>(number));
+    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, GL_RGBA32F, GL_SAMPLES, number, counts.data());
+    std::erase_if(counts, [&](GLint count) { return count < 2 || count > context.maxSamples(); });
+    std::ranges::sort(counts);
+    return counts;
+}
+
 /// Display values, three a pixel.
 std::vector<float> displayed(std::vector<float> radiance, const DisplayTransform& display) {
     display.apply(radiance);
@@ -45,7 +56,7 @@ public:
         : bench_(bench), scene_(scene), context_(context) {
         const Job::Color& color = scene.job.color;
         display_ = codec().displayTransform({color.config, color.display, color.view, color.exposureStops});
-        for (int samples = 2; samples <= context.maxSamples(); samples *= 2) add(false, samples);
+        for (const int samples : sampleCounts(context)) add(false, samples);
         for (const int pictures : bench.accumulation) add(true, pictures);
     }
 

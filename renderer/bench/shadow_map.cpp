@@ -62,7 +62,7 @@ private:
         glClearBufferfv(GL_DEPTH, 0, &kInfinitelyFar);
         if (settings_.biased) {
             glEnable(GL_POLYGON_OFFSET_FILL);
-            glPolygonOffset(-1.0f, -16.0f);
+            glPolygonOffset(-3.0f, -16.0f);
         }
         glProgramUniformMatrix4fv(draw_.name(), 0, 1, GL_FALSE, &mapFromView[0][0]);
         draw_.use();

@@ -17,8 +17,10 @@ namespace umbrage {
 
 struct ShadowMapSettings {
     int size = 1024;  // texels along a side of each face
-    /// Pushes the map's surfaces away from the light by their slope over one texel's width, as far as a sample can lie
-    /// from a texel's middle along both axes, and by sixteen quanta of the depth buffer.
+    /// Pushes the map's surfaces away from the light by three times their slope over one texel's width and by sixteen
+    /// quanta of the depth buffer. A sample lies at most half a texel from a texel's middle along both axes, so once
+    /// the slope would do for one plane; of 1/2, 1, 1.5, 2, 3, 4 and 8 times, three has the fewest wrong samples over
+    /// knights, tree and noise-spheres (1024 texels; bench measure `error`).
     bool biased = true;
 };
 
