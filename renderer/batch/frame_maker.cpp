@@ -10,6 +10,7 @@
 
 #include "batch/frame_files.h"
 #include "diagnostics/median.h"
+#include "frame/accumulate.h"
 #include "frame/settings.h"
 
 namespace umbrage {
@@ -45,7 +46,7 @@ PlacedMoment FrameMaker::at(int frame) const {
 double FrameMaker::pictureMilliseconds(FrameRenderer& renderer, const PlacedMoment& now, int frame) const {
     Statistics unused;
     const Clock::time_point start = Clock::now();
-    renderer.render(now.moment, now.camera, {}, frame, unused);
+    renderAccumulated(renderer, now, {}, frame, unused);
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
@@ -72,7 +73,7 @@ WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
         now = at(frame);
         if (outputs_.wants("motion")) before = at(frame - 1);
         item.pixels = std::make_unique<FramePixels>(
-            renderer_.render(now->moment, now->camera, outputs_, frame, statistics, before ? &*before : nullptr));
+            renderAccumulated(renderer_, *now, outputs_, frame, statistics, before ? &*before : nullptr));
         const std::chrono::duration<double, std::milli> whole = Clock::now() - start;
         milliseconds[Counter("time.frame").index()].push_back(whole.count());
         for (const auto& [pass, time] : item.pixels->milliseconds) milliseconds[pass].push_back(time);

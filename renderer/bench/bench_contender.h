@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One way to make the pictures of one sequence, timed: the renderer by a technique or without shadows, or the tracer.
+// One way to make the pictures of one sequence, timed: the renderer by a technique, by
+// shadow maps or without shadows, or the tracer.
 #pragma once
 
 #include <map>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "bench/bench_scene.h"
+#include "bench/shadow_map.h"
 #include "diagnostics/counters.h"
 
 namespace umbrage {
@@ -54,6 +56,10 @@ protected:
 /// @param passes  also times passes, in frames of their own
 std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const BenchTechnique* technique, bool passes,
                                         const gpu::Context& context);
+
+/// The renderer with masks by shadow maps.
+std::unique_ptr<Contender> makeShadowMapped(const BenchScene& scene, const ShadowMapSettings& settings,
+                                            const gpu::Context& context);
 
 /// The tracer without shadows and, after it, with each of the offsets (TracerSettings), or with its own where there are
 /// none. They share what they trace.

@@ -47,7 +47,8 @@ std::vector<Wrong> judged(const Race& race, int subPixelBits, int threads, Bench
 std::vector<BenchColumn> columns() {
     return {
         {"sequence", "sequence", "", -1},
-        {"technique", "technique", "silhouettes:count, or the tracer and where its shadow rays begin", -1},
+        {"technique", "technique",
+         "silhouettes:count, or a shadow map and its size, or the tracer and where its shadow rays begin", -1},
         {"shadows.ms", "shadows", "what a frame takes longer than without; difference of medians, ms", 2},
         {"frame.ms", "frame ms", "a frame; median", 2},
         {"wrong.million", "wrong ppm", "samples whose shadow is wrong, of each million that are turned to a light", 2},
@@ -74,7 +75,9 @@ void measureError(const Bench& bench, const BenchScenes& scenes, const gpu::Cont
     BenchTable& table = result.tables.emplace_back(BenchTable{"error", "Run time against error", columns(), {}, {}});
     table.remarks.push_back(fmt::format(
         "{} rounds, frames by the wall's clock; samples judged by the exact answer at all frames.", bench.rounds));
-    Races races(bench, scenes, {.passes = false, .offsets = bench.offsets, .tracer = true}, "times", context, observer);
+    const Races::Wishes wishes{
+        .passes = false, .offsets = bench.offsets, .shadowMaps = bench.shadowMaps, .tracer = true};
+    Races races(bench, scenes, wishes, "times", context, observer);
     if (!races.run(table.remarks, interrupted)) return;
     std::size_t frames = 0;
     for (const BenchScene* scene : scenes) frames += scene->frames.size();

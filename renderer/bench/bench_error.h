@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run time against error: what shadows cost by each technique and by the tracer's rays with several offsets, and how
-// many samples come out wrong.
+// Run time against error: what shadows cost by each technique, by shadow maps of several sizes and by the tracer's rays
+// with several offsets, and how many samples come out wrong.
 #pragma once
 
 #include "bench/bench_run.h"

@@ -21,7 +21,7 @@ constexpr const char* kTitle = "bench";
 const std::string kPlain = "plain ";
 
 Type<std::vector<std::string>> measurements() {
-    return listOf(choice({"times", "error", "tiles"}), "a list of measurements");
+    return listOf(choice({"times", "error", "antialiasing", "tiles"}), "a list of measurements");
 }
 
 Type<std::string> tileMethod() {
@@ -161,15 +161,17 @@ Type<Bench> benchType() {
             field<Bench>(
                 "measure", measurements(), &Bench::measure,
                 "times: of frames and passes; error: what shadows cost against how many samples are wrong, with "
-                "plots; tiles: what a rasteriser that culls tiles of 8 x 8 pixels "
+                "plots; antialiasing: what a frame costs against how far it is from a converged one, with plots; "
+                "tiles: "
+                "what a rasteriser that culls tiles of 8 x 8 pixels "
                 "processes (Laine 2005)"),
             field<Bench>("sequences", notEmpty(listOf(sequence(), "a list of sequences")), &Bench::sequences,
                          "What is rendered")
                 .required(),
             field<Bench>("techniques", techniques(), &Bench::techniques,
                          "For times, error and growth: silhouette:count pairs that are compared; \"plain \" in front: "
-                         "without any skip, "
-                         "so that plain cpu:z-fail is the textbook's, with volumes to infinity")
+                         "without any skip, so that plain cpu:z-fail is the textbook's, with volumes to infinity; for "
+                         "antialiasing the first of them is how shadows are found")
                 .unset("each sequence's own"),
             field<Bench>(
                 "tracer", boolean(), &Bench::tracer,
@@ -181,8 +183,21 @@ Type<Bench> benchType() {
                 "offsets", notEmpty(listOf(number(between(0.0, 1.0)), "a list of numbers")), &Bench::offsets,
                 "For error: where the tracer's shadow rays begin, in parts of the largest coordinate or distance "
                 "there"),
+            field<Bench>(
+                "shadowMaps", listOf(integer(between(1, 8192)), "a list of sizes"), &Bench::shadowMaps,
+                "For error: also by shadow maps with as many texels along a side, each with a bias by slope and "
+                "without: one texel, one comparison; orthographic for directional lights, fitted to what is seen, as "
+                "wide as the cone for spots, six faces of that size for points; drawn anew in every frame")
+                .unset("none"),
+            field<Bench>("accumulation", notEmpty(listOf(integer(between(1, 256)), "a list of numbers of pictures")),
+                         &Bench::accumulation,
+                         "For antialiasing: values of image.accumulation, with one sample a pixel, that are compared "
+                         "with the numbers of samples (image.samples) that the device offers"),
+            field<Bench>("reference", integer(between(1, 65536)), &Bench::referencePictures,
+                         "For antialiasing: pictures that the converged frame is the mean of; at places in the pixels "
+                         "that frames with less have not"),
             field<Bench>("rounds", integer(between(1, 1000)), &Bench::rounds,
-                         "For times, error and growth: how often everything is measured, all in turn"),
+                         "For all but tiles: how often everything is measured, all in turn"),
             fieldThrough<Bench, std::array<int, 2>>(
                 "size", arrayOf<2>(integer(between(1, 16384)), "a list [width, height]"),
                 [](Bench& b, const std::array<int, 2>& size) { b.size = size; }, "Width and height in pixels")

@@ -84,6 +84,9 @@ struct Bench {
     std::vector<BenchTechnique> techniques;                     // none: each sequence's own
     bool tracer = false;                                        // constant colours, so that it can take part
     std::vector<double> offsets{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};  // of the tracer, for error
+    std::vector<int> shadowMaps;                                // sizes, for error; none: there are none
+    std::vector<int> accumulation{1, 4, 16, 64, 256};           // for antialiasing
+    int referencePictures = 1024;                               // of its reference
     int rounds = 5;
     std::optional<std::array<int, 2>> size;  // instead of each sequence's
     std::vector<BenchPicture> pictures;

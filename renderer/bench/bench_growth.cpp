@@ -93,7 +93,8 @@ public:
         sequence.set.push_back(growth_.assignment(value));
         const BenchScene scene(bench_, sequence, allowExternalFiles, context_.info());
         const BenchScenes scenes{&scene};
-        Races races(bench_, scenes, {.passes = false, .offsets = {}, .tracer = tracer_}, "growth", context_, observer);
+        Races races(bench_, scenes, {.passes = false, .offsets = {}, .shadowMaps = {}, .tracer = tracer_}, "growth",
+                    context_, observer);
         std::vector<std::string> remarks;
         if (!races.run(remarks, interrupted)) return false;
         if (table_.remarks.size() < 2) table_.remarks.insert(table_.remarks.end(), remarks.begin(), remarks.end());

@@ -38,6 +38,12 @@ bool Races::setUp(const BenchScene& scene, const std::atomic<bool>& interrupted)
         if (interrupted) return false;
         race.rows.push_back({enter(makeRenderer(scene, &technique, wishes_.passes, context_)), bare});
     }
+    for (const int size : wishes_.shadowMaps) {
+        for (const bool biased : {true, false}) {
+            if (interrupted) return false;
+            race.rows.push_back({enter(makeShadowMapped(scene, {size, biased}, context_)), bare});
+        }
+    }
     if (!traces(scene)) return true;
     const std::size_t first = race.rows.size();
     const Contender* bareTracer = nullptr;
@@ -54,7 +60,7 @@ bool Races::run(std::vector<std::string>& remarks, const std::atomic<bool>& inte
     std::size_t count = 0;
     const auto traced = [&](const BenchScene* scene) { return traces(*scene); };
     for (const BenchScene* scene : scenes_) {
-        count += 1 + std::max<std::size_t>(1, bench_.techniques.size());
+        count += 1 + std::max<std::size_t>(1, bench_.techniques.size()) + 2 * wishes_.shadowMaps.size();
         if (traced(scene)) count += 1 + std::max<std::size_t>(1, wishes_.offsets.size());
     }
     if (std::ranges::any_of(scenes_, traced)) {

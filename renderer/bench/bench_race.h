@@ -32,6 +32,7 @@ public:
     struct Wishes {
         bool passes = false;          // times them, too
         std::vector<double> offsets;  // of the tracer; none: its own
+        std::vector<int> shadowMaps;  // sizes, each with a bias and without
         bool tracer = true;           // where the bench has it
     };
     /// @param what  is measured, for the observer

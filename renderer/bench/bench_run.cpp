@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 
+#include "bench/bench_antialiasing.h"
 #include "bench/bench_error.h"
 #include "bench/bench_growth.h"
 #include "bench/bench_pictures.h"
@@ -94,6 +95,9 @@ BenchResult runBench(const Bench& bench, const gpu::Context& context, bool allow
     }
     if (const BenchScenes of = measured(bench, scenes, "error"); !of.empty()) {
         measureError(bench, of, context, threads, observer, interrupted, result);
+    }
+    if (const BenchScenes of = measured(bench, scenes, "antialiasing"); !of.empty()) {
+        measureAntialiasing(bench, of, context, observer, interrupted, result);
     }
     if (const BenchScenes of = measured(bench, scenes, "tiles"); !of.empty()) {
         measureTiles(of, context, threads, observer, interrupted, result);

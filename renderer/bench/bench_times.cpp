@@ -84,7 +84,8 @@ BenchTable measureTimes(const Bench& bench, const BenchScenes& scenes, const gpu
     const auto traced = [&](const BenchScene* scene) { return bench.tracerFor(scene->sequence); };
     BenchTable table{"times", "Times", columns(std::ranges::any_of(scenes, traced)), {}, {}};
     table.remarks.push_back(fmt::format("{} rounds; passes by {}, frames by the wall's clock.", bench.rounds, clock));
-    Races races(bench, scenes, {.passes = true, .offsets = {}, .tracer = true}, "times", context, observer);
+    const Races::Wishes wishes{.passes = true, .offsets = {}, .shadowMaps = {}, .tracer = true};
+    Races races(bench, scenes, wishes, "times", context, observer);
     if (!races.run(table.remarks, interrupted)) return table;
     for (const Race& race : races.all()) {
         for (const Race::Pair& pair : race.rows) table.rows.push_back(rowOf(race, pair, table.columns.size()));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "bench/bench_contender.h"
@@ -11,17 +13,15 @@ namespace {
 
 class RendererContender : public Contender {
 public:
-    RendererContender(const BenchScene& scene, const BenchTechnique* technique, bool passes,
+    RendererContender(const BenchScene& scene, std::string name, FrameSettings settings, bool passes,
                       const gpu::Context& context)
-        : Contender(scene, technique ? technique->name() : "without shadows") {
-        FrameSettings settings = settingsOf(technique ? technique->of(scene.job) : scene.job, scene.composition);
-        settings.shadows = technique != nullptr;
+        : Contender(scene, std::move(name)) {
         settings.profile = false;
         const Stopwatch watch;
         plain_ = scene.renderer(settings, context);
         render(*plain_, scene.frames.front(), {});
         coldMilliseconds_ = watch.milliseconds();
-        if (!technique || !passes) return;
+        if (!passes) return;
         settings.profile = true;  // passes are waited for, so the frame's own time is measured without
         profiled_ = scene.renderer(settings, context);
     }
@@ -77,7 +77,19 @@ private:
 
 std::unique_ptr<Contender> makeRenderer(const BenchScene& scene, const BenchTechnique* technique, bool passes,
                                         const gpu::Context& context) {
-    return std::make_unique<RendererContender>(scene, technique, passes, context);
+    FrameSettings settings = settingsOf(technique ? technique->of(scene.job) : scene.job, scene.composition);
+    settings.shadows = technique != nullptr;
+    return std::make_unique<RendererContender>(scene, technique ? technique->name() : "without shadows", settings,
+                                               technique && passes, context);
+}
+
+std::unique_ptr<Contender> makeShadowMapped(const BenchScene& scene, const ShadowMapSettings& settings,
+                                            const gpu::Context& context) {
+    FrameSettings frame = settingsOf(scene.job, scene.composition);
+    frame.shadows = false;
+    frame.maskMaker = makeShadowMaps(settings);
+    return std::make_unique<RendererContender>(
+        scene, fmt::format("shadow map {}{}", settings.size, settings.biased ? " biased" : ""), frame, false, context);
 }
 
 }  // namespace umbrage

@@ -344,12 +344,16 @@ void FrameRenderer::Impl::shadeLights(FramePixels& pixels) {
 }
 
 void FrameRenderer::Impl::readSamples(FramePixels& pixels) {
-    pixels.seen.positions = gbuffer.samplePositions();
-    for (std::size_t s = 0; s < pixels.seen.positions.size(); ++s) {
+    const std::vector<glm::vec2> positions = gbuffer.samplePositions();
+    for (const glm::vec2& position : positions) {
+        pixels.seen.positions.push_back(position +
+                                        glm::vec2(0.5 * eye.shift * glm::dvec2(settings.width, -settings.height)));
+    }
+    for (std::size_t s = 0; s < positions.size(); ++s) {
         // Also without any light there is one group: it says what is seen.
         for (std::uint32_t first = 0; first == 0 || first < shining.size(); first += LIGHTS_PER_GROUP) {
-            const std::vector<gpu::uvec2> sample = resolve.readSample(
-                gbuffer, *masks, silhouettes, int(s), pixels.seen.positions[s], first / LIGHTS_PER_GROUP);
+            const std::vector<gpu::uvec2> sample =
+                resolve.readSample(gbuffer, *masks, silhouettes, int(s), positions[s], first / LIGHTS_PER_GROUP);
             if (first == 0) {
                 for (const gpu::uvec2& pixel : sample) pixels.seen.triangles.push_back(pixel.x);
             }
@@ -383,6 +387,10 @@ FrameRenderer::~FrameRenderer() = default;
 
 const Geometry& FrameRenderer::geometry() const {
     return impl_->geometry;
+}
+
+const FrameSettings& FrameRenderer::settings() const {
+    return impl_->settings;
 }
 
 std::vector<float> FrameRenderer::shadeAgain(const std::vector<std::vector<std::uint8_t>>& reaches) {
@@ -437,6 +445,11 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.gbuffer.begin(eye.emptyDepth());
     r.surfaces.drawOpaque(r.geometry, r.materials, r.unseen);
     r.castShadows(moment, lights, outputs, frame, recorder, planesOf);
+    if (r.settings.maskMaker) {
+        r.begin("time.counts");
+        r.settings.maskMaker->make(
+            {r.geometry, r.surfaces, r.gbuffer, *r.masks, r.silhouettes, eye, lights, r.boxes, r.unseen});
+    }
     pixels.notes = r.counts.takeNotes();
     if (outputs.radiance) pixels.radiance = r.shade();
     gpu::checkGl("while rendering");

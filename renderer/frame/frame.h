@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "diagnostics/statistics.h"
+#include "frame/mask_maker.h"
 #include "gpu/context.h"
 #include "scene/moment.h"
 #include "shading/again.h"
@@ -24,6 +25,7 @@ enum class WhenInexact { FallBack, Refuse, Allow };  // in the order of kWhenIne
 
 struct FrameSettings {
     int width = 1024, height = 768, samples = 1;
+    int accumulation = 1;  // pictures a frame is the mean of: see frame/accumulate.h
     bool shadows = true;
     std::string silhouette = "compute", count = "z-pass";  // of kSilhouettes and kCounts
     WhenInexact whenInexact = WhenInexact::FallBack;
@@ -38,6 +40,7 @@ struct FrameSettings {
     bool endVolumes = true;           // moves corners, so that a mask may round otherwise on a boundary
     bool resolveOnHost = true;        // where the device is a processor and there is one sample a pixel
     glm::vec3 background{0.0f}, ambientSky{0.0f}, ambientGround{0.0f};
+    std::shared_ptr<MaskMaker> maskMaker;  // instead of shadows; null: none
     bool profile = false;
     Fault fault = Fault::None;  // planted on purpose, for the judge's own tests
 };
@@ -123,6 +126,8 @@ public:
 
     /// The picture of the last render() with other masks: `reaches` per light of the moment, as in LightPlanes.
     std::vector<float> shadeAgain(const std::vector<std::vector<std::uint8_t>>& reaches);
+
+    const FrameSettings& settings() const;
 
     /// Positions and numbering of what the last render() drew.
     const Geometry& geometry() const;

@@ -71,6 +71,7 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     settings.width = job.image.width;
     settings.height = job.image.height;
     settings.samples = job.image.samples;
+    settings.accumulation = job.image.accumulation;
     settings.shadows = job.shadow.enabled;
     choose(techniqueOf(job), settings);
     const auto when = std::ranges::find(kWhenInexact, job.shadow.whenInexact, &NameAndMeaning::name);

@@ -31,6 +31,7 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
     if (!ties_) ties_ = gpu::findSampleTies();
     const int width = target.gbuffer.width(), height = target.gbuffer.height();
     const std::vector<glm::vec2> positions = target.gbuffer.samplePositions();
+    const glm::dvec2 shiftPixels = 0.5 * target.eye.shift * glm::dvec2(width, -height);
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
     dark_.resize(pixels * positions.size());
     // The first sample last: readCounts() is about it.
@@ -40,7 +41,7 @@ void TileMasks::count(std::span<const std::vector<CountPlan>> plans, const Geome
                           target.eye.rayScale,
                           target.eye.perspective,
                           target.eye.znear,
-                          positions[s],
+                          glm::dvec2(positions[s]) + shiftPixels,
                           glm::dvec2(ties_->right, ties_->down)};
         const TileScene scene{geometry, silhouettes, group, eye, target.eyeConstant};
         lights_.begin(scene);

@@ -24,6 +24,7 @@ std::uint64_t bytesOfTexel(GLenum internalFormat) {
         case GL_RG16:
         case GL_R32F:
         case GL_R32UI:
+        case GL_DEPTH_COMPONENT32F:
             return 4;
         case GL_RGBA16:
         case GL_RGBA16F:

@@ -142,8 +142,23 @@ Framebuffer::Framebuffer(const char* label, std::span<const Attachment> colors, 
         height_ = depthStencil->size().height;
     }
     glNamedFramebufferDrawBuffers(name, GLsizei(outputs.size()), outputs.data());
-    glObjectLabel(GL_FRAMEBUFFER, name, -1, label);
-    if (const GLenum status = glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER); status != GL_FRAMEBUFFER_COMPLETE) {
+    check(label);
+}
+
+Framebuffer::Framebuffer(const char* label, const Texture& depth, int layer)
+    : width_(depth.size().width), height_(depth.size().height) {
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    handle_ = Handle<deleteFramebuffer>(name);
+    glNamedFramebufferTextureLayer(name, GL_DEPTH_ATTACHMENT, depth.name(), 0, layer);
+    glNamedFramebufferDrawBuffers(name, 0, nullptr);
+    check(label);
+}
+
+void Framebuffer::check(const char* label) const {
+    glObjectLabel(GL_FRAMEBUFFER, name(), -1, label);
+    if (const GLenum status = glCheckNamedFramebufferStatus(name(), GL_FRAMEBUFFER);
+        status != GL_FRAMEBUFFER_COMPLETE) {
         throw Error(
             ErrorKind::Device, "",
             fmt::format("the device cannot draw into '{}' of {} x {} pixels (0x{:x})", label, width_, height_, status),

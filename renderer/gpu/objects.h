@@ -116,11 +116,15 @@ public:
     };
     Framebuffer() = default;
     Framebuffer(const char* label, std::span<const Attachment> colors, const Texture* depthStencil);
+    /// Depth alone, one layer of an array.
+    Framebuffer(const char* label, const Texture& depth, int layer);
 
     GLuint name() const { return handle_.get(); }
     void bind() const;
 
 private:
+    void check(const char* label) const;
+
     Handle<deleteFramebuffer> handle_;
     int width_ = 0, height_ = 0;
 };

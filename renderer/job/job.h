@@ -158,6 +158,7 @@ struct Job {
     struct ImageSettings {
         int width = 1024, height = 768;
         int samples = 1;
+        int accumulation = 1;                          // pictures that a frame is the mean of
         std::array<double, 3> background{0, 0, 0};     // linear Rec.709
         std::array<double, 3> ambientSky{0, 0, 0};     // hemispheric: radiance from +Y ...
         std::array<double, 3> ambientGround{0, 0, 0};  // ... and from -Y; equal: a constant ambient term

@@ -99,6 +99,10 @@ Type<Job::ImageSettings> imageSettings() {
                 "Width and height in pixels", {{byDefault.width, byDefault.height}}),
             field<Image>("samples", oneOf({1, 2, 4, 8, 16}), &Image::samples,
                          "Samples a pixel; what the device cannot do is an error when rendering starts"),
+            field<Image>("accumulation", integer(between(1, 256)), &Image::accumulation,
+                         "Pictures that a frame is the mean of, in linear light, each with its samples at other places "
+                         "of the pixels: antialiasing of edges, shadows and highlights, as slow as there are pictures. "
+                         "Together with samples there are as many samples as both multiplied"),
             field<Image>("background", color(), &Image::background, "Where nothing is hit"),
             fieldThrough<Image, Ambient>("ambient", ambient(),
                                          [](Image& image, const Ambient& value) {

@@ -33,6 +33,7 @@ struct PlacedLight {
 struct PlacedCamera {
     Camera camera;
     glm::dmat4 worldFromCamera{1.0};  // rigid: scale of the node's transform is removed
+    glm::dvec2 shiftPixels{0.0};  // from where samples lie in their pixels to where the picture is taken: right, down
 };
 
 struct Moment {

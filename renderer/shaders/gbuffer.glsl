@@ -40,6 +40,7 @@ layout(location = 1) uniform uint facingStride;  // words between two groups of 
 layout(location = 5) uniform vec2 samplePosition;  // in the pixel
 #endif
 
+/// Of the view ray, in NDC.
 vec2 ndcHere() {
 #if defined(CHOSEN_SAMPLE) || defined(FIRST_SAMPLE)
     vec2 at = floor(gl_FragCoord.xy) + samplePosition;
@@ -48,7 +49,7 @@ vec2 ndcHere() {
 #else
     vec2 at = gl_FragCoord.xy;
 #endif
-    return vec2(at.x * view.pixelSize.x - 1.0, 1.0 - at.y * view.pixelSize.y);  // row 0 is the top
+    return vec2(at.x * view.pixelSize.x - 1.0, 1.0 - at.y * view.pixelSize.y) + view.shift;  // row 0 is the top
 }
 
 /// Distance along the view axis at the sample. The triangle's plane is exact where interpolated depth has lost bits

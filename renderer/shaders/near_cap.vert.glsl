@@ -69,7 +69,7 @@ bool isBeyondInPicture(vec4 plane, Corner corners[6]) {
     for (int i = 0; i < 3; ++i) farthest = max(farthest, length(corners[i].p.xyz));
     if (view.perspective != 0u && abs(plane.w) < 2.384185791015625e-7 * float(farthest)) return false;
     for (int i = 0; i < 4; ++i) {
-        vec2 at = 1.03125 * view.rayScale.xy * vec2((i & 1) * 2 - 1, (i & 2) - 1);
+        vec2 at = (1.03125 + abs(view.shift)) * view.rayScale.xy * vec2((i & 1) * 2 - 1, (i & 2) - 1);
         bool beyond = view.perspective != 0u ? -dot(plane.xyz, vec3(at, -1.0)) / plane.w <= 1.0 / view.capDistance
                                              : (dot(plane.xy, at) + plane.w) / plane.z >= view.capDistance;
         if (!beyond) return false;

@@ -68,6 +68,9 @@ using mat4 = glm::mat4;
 #define LAYER_GRID 32u  // cells along a face; a power of two
 #define LAYER_CELLS (6u * LAYER_GRID * LAYER_GRID)
 
+// After those of the G-buffer.
+#define UNIT_SHADOW_MAP 7
+
 // Texture units of the vertex stage, apart from those of what is drawn into.
 #define UNIT_EDGE_FLAGS 8
 #define UNIT_IN_VIEW 9
@@ -257,7 +260,8 @@ struct ViewData {
     float emptyDepth;   // where nothing is seen: 0, or that of a perspective camera's zfar (T12)
     float capDistance;  // of the plane from which near-cap counts, along the view axis (shadow/ledge.h)
     float sceneDepths;  // what is seen has depths from 0 to this: 1 without a ledge
-    float unusedView1, unusedView2, unusedView3;
+    float unusedView;
+    vec2 shift;  // from a place on the picture to that of its view ray, in NDC
 };
 
 struct MaterialData {

@@ -9,7 +9,7 @@ bool countsByPass(uint part, float depth) {
     // No plane where an end of the view rays lies on the part's volumes: the count starts from the other one.
     uint hazards = parts[part].hazards;
     if (hazards != 0u) return (hazards & 1u << SPLIT_PASS) == 0u;
-    vec2 ndc = (vec2(ivec2(gl_FragCoord.xy)) + 0.5) * view.pixelSize - 1.0;
+    vec2 ndc = (vec2(ivec2(gl_FragCoord.xy)) + 0.5) * view.pixelSize - 1.0 + vec2(view.shift.x, -view.shift.y);
     vec4 plane = parts[part].plane;
     precise float side = plane.x * ndc.x - plane.y * ndc.y + plane.z * depth + plane.w;  // rows from the top
     return side > 0.0;

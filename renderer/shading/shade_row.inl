@@ -130,8 +130,8 @@ inline Floats3 shadePixels(const ShadeRow& row, int x, const Ints& seen) {
     if (!any(s.lit)) return radiance;
     const Ints stored = load<Ints>(row.triangles + x), isTriangle = stored != std::int32_t(NO_TRIANGLE);
     s.triangle = s.lit & isTriangle ? stored : Ints{};
-    const Floats ndcX = (kCount + (float(x) + 0.5f)) * view.pixelSize.x - 1.0f;
-    const float ndcY = 1.0f - (float(row.y) + 0.5f) * view.pixelSize.y;
+    const Floats ndcX = (kCount + (float(x) + 0.5f)) * view.pixelSize.x - 1.0f + view.shift.x;
+    const float ndcY = 1.0f - (float(row.y) + 0.5f) * view.pixelSize.y + view.shift.y;
     const Floats3 ray{ndcX * view.rayScale.x, Floats{} + ndcY * view.rayScale.y, Floats{} - 1.0f};
     const Floats e = eyeDistance(row, s.triangle, isTriangle, load<Floats>(row.depths + x), ray, s.front);
     const bool perspective = view.perspective != 0u;

@@ -136,6 +136,15 @@ void Surfaces::drawOpaque(const Geometry& geometry, const Materials& materials, 
     }
 }
 
+void Surfaces::drawCasters(const Geometry& geometry, const std::vector<bool>& leftOut) const {
+    geometry.bind();
+    drawBuffer_.bindStorage(BIND_DRAWS);
+    vertexArray_.bind();
+    for (const Draw& draw : opaque_) {
+        if (draw.mode == GL_TRIANGLES && !leftOut[draw.instance]) submit(draw, geometry);
+    }
+}
+
 void Surfaces::findExposed(const Geometry& geometry, const Materials& materials, const std::vector<bool>& unseen,
                            const gpu::Buffer& casters) {
     geometry.bind();

@@ -42,6 +42,11 @@ public:
     void findExposed(const Geometry& geometry, const Materials& materials, const std::vector<bool>& unseen,
                      const gpu::Buffer& casters);
 
+    /// What casts, opaque and masked triangles from both sides, by the program and in the state that are set: position
+    /// is attribute 0, the draw 6.
+    /// @param leftOut  instances
+    void drawCasters(const Geometry& geometry, const std::vector<bool>& leftOut) const;
+
     /// Whether anything shines by itself or is unlit.
     bool anyEmissive() const { return anyEmissive_; }
     bool anyBlended() const { return !blended_.empty(); }

@@ -73,7 +73,8 @@ bool outOfReach(const Geometry::Bounds& worldBox, const LightReach& reach) {
 bool mayReach(const StartRectangle& rectangle, std::span<const glm::dvec3> corners, const glm::dvec4& lightInView) {
     constexpr double kMargin = 1.0 + 1.0 / 32.0;  // more than the rasteriser's snapping
     const double distance = rectangle.distance;
-    const glm::dvec2 half = kMargin * rectangle.eye.rayScale * (rectangle.eye.perspective ? distance : 1.0);
+    const glm::dvec2 half = (kMargin + glm::abs(rectangle.eye.shift)) * rectangle.eye.rayScale *
+                            (rectangle.eye.perspective ? distance : 1.0);
     const glm::dvec3 light(lightInView);
     /// All corners on the negative side of a plane through `point`, beyond what rounding may confuse.
     const auto separates = [&](const glm::dvec3& normal, const glm::dvec3& point) {

@@ -75,10 +75,11 @@ std::array<HalfSpace, 4> sidesOfView(const Eye& eye) {
         const double sign = k % 2 ? -1.0 : 1.0;
         glm::dvec3 normal(0.0);
         normal[axis] = sign;
-        if (eye.perspective) normal.z = eye.rayScale[axis];  // x <= -z * rayScale
+        const double border = (1.0 + sign * eye.shift[axis]) * eye.rayScale[axis];
+        if (eye.perspective) normal.z = border;  // x <= -z * border
         sides[k].normal = glm::normalize(glm::dvec3(eye.worldFromView * glm::dvec4(normal, 0.0)));
         glm::dvec3 onSide(0.0);
-        if (!eye.perspective) onSide[axis] = sign * eye.rayScale[axis];
+        if (!eye.perspective) onSide[axis] = sign * border;
         sides[k].offset = glm::dot(sides[k].normal, glm::dvec3(eye.worldFromView * glm::dvec4(onSide, 1.0)));
     }
     return sides;

@@ -18,6 +18,7 @@ Eye makeEye(const PlacedCamera& placed, int width, int height) {
     eye.zfar = camera.zfar;
     const double halfHeight = camera.perspective ? std::tan(0.5 * camera.yfov) : camera.ymag;
     eye.rayScale = {halfHeight * aspect, halfHeight};
+    eye.shift = placed.shiftPixels * glm::dvec2(2.0 / width, -2.0 / height);
 
     glm::dmat4& clip = eye.clipFromView;
     clip = glm::dmat4(0.0);
@@ -26,10 +27,14 @@ Eye makeEye(const PlacedCamera& placed, int width, int height) {
     if (camera.perspective) {
         clip[3][2] = camera.znear;  // z_clip = znear, w_clip = -z
         clip[2][3] = -1.0;
+        clip[2][0] = eye.shift.x / VIEWPORT_SCALE;
+        clip[2][1] = eye.shift.y / VIEWPORT_SCALE;
     } else {
         clip[2][2] = 1.0 / (camera.zfar - camera.znear);  // depth = (zfar - e) / (zfar - znear), e = -z
         clip[3][2] = camera.zfar / (camera.zfar - camera.znear);
         clip[3][3] = 1.0;
+        clip[3][0] = -eye.shift.x / VIEWPORT_SCALE;
+        clip[3][1] = -eye.shift.y / VIEWPORT_SCALE;
     }
     return eye;
 }
@@ -44,6 +49,7 @@ gpu::ViewData viewDataOf(const Eye& eye) {
     data.perspective = eye.perspective;
     data.emptyDepth = eye.emptyDepth();
     data.capDistance = float(capDistance(eye));
+    data.shift = glm::vec2(eye.shift);
     data.sceneDepths = float(1.0 - eye.ledge);
     return data;
 }

@@ -16,6 +16,7 @@ struct Eye {
     bool perspective = true;
     double znear = 0.1, zfar = 0.0;  // zfar 0: infinite
     glm::dvec2 rayScale{1.0};        // half extent of the image at distance 1 (perspective) or in metres
+    glm::dvec2 shift{0.0};           // NDC: what a place on the picture shows lies there without (PlacedCamera)
     double ledge = 0.0;              // share of the depth range before the near plane (shadow/ledge.h)
 
     /// What the depth buffer is cleared to: nothing is seen beyond zfar, and nothing is clipped there either, so that

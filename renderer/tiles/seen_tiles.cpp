@@ -120,8 +120,9 @@ void spread(double from, double to, double near, double far, bool perspective, f
 TileBox boxOf(const TileEye& eye, int column, int row, float nearest, float farthest) {
     const auto ndc = [](int pixel, double within, int size) { return 2.0 * (pixel + within) / size - 1.0; };
     // Half a pixel more on either side than the samples need.
-    const double left = ndc(column, 0.0, eye.width), right = ndc(column + kTileSize, 0.0, eye.width);
-    const double top = ndc(row, 0.0, eye.height), bottom = ndc(row + kTileSize, 0.0, eye.height);
+    const glm::dvec2 from = eye.sample - 0.5;
+    const double left = ndc(column, from.x, eye.width), right = ndc(column + kTileSize, from.x, eye.width);
+    const double top = ndc(row, from.y, eye.height), bottom = ndc(row + kTileSize, from.y, eye.height);
     const double near = eye.perspective ? 1.0 / nearest : -nearest, far = eye.perspective ? 1.0 / farthest : -farthest;
     TileBox box;
     spread(left * eye.rayScale.x, right * eye.rayScale.x, near, far, eye.perspective, box.low[0], box.high[0]);

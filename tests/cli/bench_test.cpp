@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // umbrage bench: what it prints and writes, and how it ends.
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "workspace.h"
@@ -62,23 +63,46 @@ TEST_F(BenchCommand, TimesTheTracerBesideTechniques) {
 TEST_F(BenchCommand, PlotsRunTimeAgainstError) {
     writeSequence();
     writeFile("bench.yaml",
-              "bench: 1\nrounds: 1\ntracer: true\nmeasure: [error]\noffsets: [0, 1.0e-4]\n"
+              "bench: 1\nrounds: 1\ntracer: true\nmeasure: [error]\noffsets: [0, 1.0e-4]\nshadowMaps: [64]\n"
               "techniques: [\"compute:z-pass\"]\nsequences: [{file: seq.yaml}]\n");
     const Result result = umbrage({"bench", "bench.yaml", "--json", "made/b.json", "--out", "made"});
     EXPECT_EQ(result.exitCode, 0) << result.err;
     EXPECT_THAT(filesIn("made"), testing::IsSupersetOf({"error-seq.png", "error-seq.svg"}));
     const Json file = json("made/b.json");
     const Json rows = file["measurements"][0]["rows"];
-    ASSERT_THAT(rows, SizeIs(3));
+    ASSERT_THAT(rows, SizeIs(5));
     EXPECT_EQ(rows[0]["technique"], "compute:z-pass");
     EXPECT_EQ(rows[0]["hard"], 0.0);
     EXPECT_GT(rows[0]["lit"].get<double>(), 100.0);
-    EXPECT_EQ(rows[1]["technique"], "tracer 0");
-    EXPECT_GT(rows[1]["hard"].get<double>(), 0.0);
-    EXPECT_EQ(rows[2]["technique"], "tracer 0.0001");
+    EXPECT_EQ(rows[1]["technique"], "shadow map 64 biased");
+    EXPECT_EQ(rows[2]["technique"], "shadow map 64");
+    EXPECT_GT(rows[2]["hard"].get<double>(), rows[1]["hard"].get<double>());
+    EXPECT_EQ(rows[3]["technique"], "tracer 0");
+    EXPECT_GT(rows[3]["hard"].get<double>(), 0.0);
+    EXPECT_EQ(rows[4]["technique"], "tracer 0.0001");
     const Json plot = file["plots"]["error-seq"]["series"];
-    EXPECT_EQ(plot["tracer 0"][0][1], rows[1]["wrong.million"]);
+    EXPECT_EQ(plot["tracer 0"][0][1], rows[3]["wrong.million"]);
     EXPECT_FALSE(plot["Pareto front"].empty());
+}
+
+TEST_F(BenchCommand, PlotsAntialiasing) {
+    writeSequence();
+    writeFile("bench.yaml",
+              "bench: 1\nrounds: 1\nmeasure: [antialiasing]\naccumulation: [1, 4, 16]\nreference: 64\n"
+              "sequences: [{file: seq.yaml}]\n");
+    const Result result = umbrage({"bench", "bench.yaml", "--json", "made/b.json", "--out", "made"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(filesIn("made"), testing::IsSupersetOf({"antialiasing-seq.png", "antialiasing-seq.svg"}));
+    const Json file = json("made/b.json");
+    std::map<std::string, double> difference;
+    for (const Json& row : file["measurements"][0]["rows"]) {
+        EXPECT_GT(row["frame.ms"].get<double>(), 0.0);
+        difference[row["way"]] = row["rmse"];
+    }
+    EXPECT_GT(difference.at("1 pictures"), 1.0);
+    EXPECT_LT(difference.at("4 pictures"), 0.7 * difference.at("1 pictures"));
+    EXPECT_LT(difference.at("16 pictures"), 0.5 * difference.at("4 pictures"));
+    EXPECT_EQ(file["plots"]["antialiasing-seq"]["series"]["pictures"].size(), 3u);
 }
 
 TEST_F(BenchCommand, CountsTilesAndDrawsThem) {

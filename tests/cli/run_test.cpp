@@ -78,6 +78,20 @@ TEST_F(Run, TheSameJobGivesTheSameBytes) {
     expectSameFiles("c", "d");
 }
 
+// Means are taken in the order of the pictures, whoever else works at the same time.
+TEST_F(Run, AnAccumulatedFrameIsTheSameForAllWorkers) {
+    writeSequence("output: {aovs: {beauty: exr, depth: exr, shadow: exr}}\n");
+    ASSERT_EQ(umbrage({"render", "seq.yaml", "--out", "plain"}).exitCode, 0);
+    for (const char* workers : {"1", "3"}) {
+        ASSERT_EQ(
+            umbrage({"render", "seq.yaml", "--set", "image.accumulation=5", "--workers", workers, "--out", workers})
+                .exitCode,
+            0);
+    }
+    expectSameFiles("1", "3");
+    EXPECT_TRUE(contentsOf(folder() / "1/beauty.0001.exr") != contentsOf(folder() / "plain/beauty.0001.exr"));
+}
+
 TEST_F(Run, AFrameDoesNotDependOnThoseBeforeIt) {
     writeSequence("output: {aovs: {beauty: exr, shadow: exr}}\n");
     ASSERT_EQ(umbrage({"render", "seq.yaml", "--frames", "1-9", "--out", "all"}).exitCode, 0);
