@@ -113,6 +113,22 @@ TEST_F(Reuse, MotionLooksAtTheFrameBeforeToo) {
         << "frame 4 has the lamp where it was in frame 3, which had it elsewhere before";
 }
 
+TEST_F(Reuse, ChannelsThatHoldOneValueAreLeftOutAndChangeNoByte) {
+    std::string held = kPauses;
+    const std::string moving = "{0: [1, 3, 2], 0.125: [2, 3, 1], 0.25: [2, 3, 1], 0.375: [1, 3, 2]}";
+    held.replace(held.find(moving), moving.size(), "{0: [0.1, 3.3, 1.7], 0.125: [0.1, 3.3, 1.7]}");
+    held.replace(held.find("animations: []\n"), 15, "");  // the lantern's own goes on
+    writeSequence(held);
+    reusedIn("off", {"--set", "shadow.skips={channels: off, frames: off}"});
+    reusedIn("on", {"--set", "shadow.skips.frames=off"});
+    EXPECT_EQ(statisticsIn("off")["frames"][0]["values"]["channels.idle"], 0);
+    EXPECT_EQ(statisticsIn("on")["frames"][0]["values"]["channels.idle"], 1);
+    for (const std::string& file : filesIn("on")) {
+        if (file.starts_with("statistics")) continue;
+        EXPECT_EQ(contentsOf(folder() / "on" / file), contentsOf(folder() / "off" / file)) << file;
+    }
+}
+
 TEST_F(Reuse, IsExplained) {
     writeSequence(kPauses);
     const Result result = umbrage({"render", "seq.yaml", "--frames", "0-11", "--explain"});
