@@ -102,7 +102,11 @@ void addRender(CLI::App& app, RenderOptions& o) {
     app.footer("AOVs, for --set output.aovs.NAME=exr (docs/aovs.md):" + aovs);
     app.add_flag("--only-diagnostics", o.onlyDiagnostics,
                  "shade nothing: overlays, data AOVs and statistics alone (diagnostics.only)");
-    app.add_flag("--dry-run", o.dryRun, "check everything, print the files that would be written, render nothing");
+    CLI::Option* dryRun =
+        app.add_flag("--dry-run", o.dryRun, "check everything, print the files that would be written, render nothing");
+    app.add_flag("--explain", o.explain,
+                 "print what each frame left out and why, and what each of its lights cost; counting takes time")
+        ->excludes(dryRun);
 }
 
 void addGoldenInputs(CLI::App& app, std::vector<std::string>& inputs) {

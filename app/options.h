@@ -23,7 +23,7 @@ struct RenderOptions {
     JobOptions job;
     std::string out, device = "auto", ocio;
     int workers = 0;
-    bool dryRun = false, onlyDiagnostics = false, allowExternalFiles = false;
+    bool dryRun = false, explain = false, onlyDiagnostics = false, allowExternalFiles = false;
     ProgressKind progress = ProgressKind::Auto;
 };
 

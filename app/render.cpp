@@ -11,6 +11,7 @@
 #include "job/output_path.h"
 #include "job_input.h"
 #include "render_job.h"
+#include "report/explanation.h"
 #include "say.h"
 
 namespace umbrage {
@@ -39,6 +40,7 @@ int runRender(const RenderOptions& options, bool quiet) {
     const BatchSummary summary = renderWatched(job, options, quiet);
     const std::size_t done = summary.written.size();
     if (done > 0 && !quiet) printSummary(summary);
+    if (options.explain) fmt::print("{}", explanation(summary.statistics));
     const ExitCode budgets = sayBudgets(summary.budgets, "");
     if (summary.interrupted) {
         say("umbrage: interrupted; frames still to render: --frames {}\n", FrameRange::textOf(summary.missing));

@@ -31,6 +31,7 @@ BatchOptions batchOptionsOf(const RenderOptions& options) {
     batch.ocioConfig = options.ocio;
     batch.allowExternalFiles = options.allowExternalFiles;
     batch.workers = options.workers;
+    batch.explain = options.explain;
     return batch;
 }
 

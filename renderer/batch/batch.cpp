@@ -14,8 +14,10 @@
 
 #include "batch/frame_files.h"
 #include "batch/frame_maker.h"
+#include "batch/frame_reuse.h"
 #include "batch/write_queue.h"
 #include "error.h"
+#include "frame/record.h"
 #include "frame/settings.h"
 #include "golden/provenance.h"
 #include "gpu/context.h"
@@ -72,6 +74,11 @@ public:
         pngs_[item.frame] = std::move(png);
     }
 
+    void repeat(int frame, int earlier) {
+        const std::lock_guard lock(mutex_);
+        if (const auto found = pngs_.find(earlier); found != pngs_.end()) pngs_[frame] = found->second;
+    }
+
     /// By frame; only when all threads are done.
     const std::map<int, std::string>& pngs() const { return pngs_; }
 
@@ -86,6 +93,15 @@ void writeStatistics(const Job& job, const StatisticsFile& file, const Thumbnail
         writeWhole(job.statistics.path, csv ? file.csv() : file.json());
     }
     if (!job.statistics.page.empty()) writeWhole(job.statistics.page, statisticsPage(file, thumbnails.pngs()));
+}
+
+/// Whether a frame can still be given to others: those who wait for frames may take away what is written.
+bool isThere(const Job& job, int frame, const std::vector<int>& written) {
+    if (std::ranges::find(written, frame) == written.end()) return true;
+    return std::ranges::all_of(frameFiles(job, frame), [](const FrameFile& file) {
+        std::error_code failed;
+        return std::filesystem::exists(file.path, failed);
+    });
 }
 
 std::map<std::string, ManifestImage> imagesOf(const Job& job, const std::vector<int>& frames) {
@@ -121,7 +137,7 @@ BatchSummary runBatch(const Job& asked, const BatchOptions& options, BatchObserv
     const gpu::Context context(options.device);
     const Job job = chosenFor(asked, context.info(), neededOutputs(asked));
     const Moment first = evaluate(composition.scene, composition.animations, frameSeconds(job, frames.front()));
-    FrameMaker maker(job, composition, first, context);
+    FrameMaker maker(job, composition, first, context, options.explain);
     const FrameOutputs& outputs = maker.outputs();
     const std::unique_ptr<DisplayTransform> display =
         codec().displayTransform({options.ocioConfig.empty() ? job.color.config : options.ocioConfig, job.color.display,
@@ -141,8 +157,14 @@ BatchSummary runBatch(const Job& asked, const BatchOptions& options, BatchObserv
     Statistics statistics;
     const bool needsMemory = job.diagnostics.profile || anyNeeds(job.statistics.budgets, BudgetNeeds::Memory);
     Thumbnails thumbnails;
+    FrameReuse reuse(job, composition);
     {
         WriteQueue queue(options.workers, [&](const WriteQueue::Item& item) {
+            if (item.sameAs) {
+                repeatFrameFiles(job, item.frame, *item.sameAs);
+                thumbnails.repeat(item.frame, *item.sameAs);
+                return;
+            }
             writeFrameFiles(job, item.frame, *item.pixels, *display, metadata, metadataOfAovs, item.against.get());
             if (!job.statistics.page.empty() && !item.pixels->radiance.empty()) thumbnails.add(job, item, *display);
         });
@@ -156,9 +178,23 @@ BatchSummary runBatch(const Job& asked, const BatchOptions& options, BatchObserv
         };
         for (const int frame : frames) {
             if (interrupted) break;
-            WriteQueue::Item item = maker.make(frame, statistics);
-            for (const std::string& note : item.pixels->notes) observer.note(note);
-            queue.push(std::move(item));
+            const gpu::Activity begin = gpu::activity();
+            const FrameMaker::Placed placed = maker.place(frame);
+            const std::optional<int> earlier = reuse.find(frame, placed, maker.deforms());
+            const bool reused = earlier && isThere(job, *earlier, summary.written);
+            if (reused) {
+                statistics.repeat(frame, *earlier);
+                queue.push({frame, nullptr, nullptr, earlier});
+            } else {
+                WriteQueue::Item item = maker.make(frame, placed, statistics);
+                for (const std::string& note : item.pixels->notes) observer.note(note);
+                queue.push(std::move(item));
+            }
+            if (outputs.figures) {
+                if (reused) recordActivity(frame, begin, statistics);
+                statistics.record(frame, {}, "frames.reused", reused ? 1.0 : 0.0);
+                statistics.record(frame, {}, "channels.idle", double(composition.idleChannels));
+            }
             collect(queue.takeDone());
         }
         collect(queue.finish());
@@ -176,8 +212,9 @@ BatchSummary runBatch(const Job& asked, const BatchOptions& options, BatchObserv
     const std::string processor = context.info().software ? processorFlags() : "";
     noteProvenance(job, summary.written,
                    {context.info().renderer, context.info().version, processor, std::string(kVersion), fingerprint});
-    if (job.statistics.isWanted()) {
-        StatisticsFile file = statistics.file(
+    if (job.statistics.isWanted() || options.explain) {
+        StatisticsFile& file = summary.statistics;
+        file = statistics.file(
             {{"sequence", job.file.filename().string()},
              {"version", std::string(kVersion)},
              {"device", context.info().renderer},

@@ -18,7 +18,8 @@ struct BatchOptions {
     std::string device = "auto";  // see gpu::Context
     std::string ocioConfig;       // --ocio: wins over the job's
     bool allowExternalFiles = false;
-    int workers = 0;  // encoding threads; 0: one less than the processor's, at least one
+    int workers = 0;       // encoding threads; 0: one less than the processor's, at least one
+    bool explain = false;  // statistics are made also where the job writes none
 };
 
 /// What a run tells whoever watches. Calls come from one thread at a time.
@@ -39,6 +40,7 @@ struct BatchSummary {
     double peakMemoryMebibytes = 0.0;
     std::filesystem::path example;      // the first image written; empty: none was asked for
     std::vector<BudgetResult> budgets;  // in the job's order
+    StatisticsFile statistics;          // of the frames written; empty where nobody wants any
     bool interrupted = false;
 };
 

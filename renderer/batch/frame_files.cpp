@@ -192,6 +192,11 @@ std::vector<FrameFile> frameFiles(const Job& job, int frame) {
     return files;
 }
 
+void repeatFrameFiles(const Job& job, int frame, int earlier) {
+    const std::vector<FrameFile> files = frameFiles(job, frame), there = frameFiles(job, earlier);
+    for (std::size_t i = 0; i < files.size(); ++i) repeatWhole(files[i].path, there[i].path);
+}
+
 bool comparesTechniques(const Job& job) {
     const std::vector<std::string>& overlays = job.diagnostics.overlays;
     return std::find(overlays.begin(), overlays.end(), "techniques") != overlays.end();

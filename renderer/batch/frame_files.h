@@ -39,6 +39,10 @@ AovMetadata idMetadata(const Scene& scene, const Moment& moment);
 void writeFrameFiles(const Job& job, int frame, const FramePixels& pixels, const DisplayTransform& display,
                      const Metadata& metadata, const AovMetadata& metadataOf, const FramePixels* against);
 
+/// Gives a frame the files of an earlier one, which are all there. Thread-safe.
+/// @throws Error(Output)
+void repeatFrameFiles(const Job& job, int frame, int earlier);
+
 /// Whether an overlay compares two techniques.
 bool comparesTechniques(const Job& job);
 

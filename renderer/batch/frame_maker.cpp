@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,13 +14,23 @@
 
 namespace umbrage {
 
+namespace {
+
 using Clock = std::chrono::steady_clock;
 
-FrameMaker::FrameMaker(const Job& job, const Composition& composition, const Moment& first, const gpu::Context& context)
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+FrameMaker::FrameMaker(const Job& job, const Composition& composition, const Moment& first, const gpu::Context& context,
+                       bool figures)
     : job_(job),
       composition_(composition),
       outputs_(neededOutputs(job)),
       renderer_(composition.scene, first, settingsOf(job, composition), context) {
+    outputs_.figures = outputs_.figures || figures;
     const auto another = [&](const FrameSettings& settings) {
         return std::make_unique<FrameRenderer>(composition.scene, first, settings, context);
     };
@@ -39,15 +48,19 @@ FrameMaker::FrameMaker(const Job& job, const Composition& composition, const Mom
     }
 }
 
-PlacedMoment FrameMaker::at(int frame) const {
-    return placedMoment(job_, composition_, frame);
+FrameMaker::Placed FrameMaker::place(int frame) const {
+    const Clock::time_point start = Clock::now();
+    Placed placed{placedMoment(job_, composition_, frame), std::nullopt};
+    if (outputs_.wants("motion")) placed.before = placedMoment(job_, composition_, frame - 1);
+    placed.milliseconds = millisecondsSince(start);
+    return placed;
 }
 
 double FrameMaker::pictureMilliseconds(FrameRenderer& renderer, const PlacedMoment& now, int frame) const {
     Statistics unused;
     const Clock::time_point start = Clock::now();
     renderAccumulated(renderer, now, {}, frame, unused);
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    return millisecondsSince(start);
 }
 
 void FrameMaker::measureRatio(const PlacedMoment& now, int frame, Statistics& statistics) {
@@ -64,18 +77,15 @@ void FrameMaker::measureRatio(const PlacedMoment& now, int frame, Statistics& st
     statistics.record(frame, {}, "time.frame.ratio", median(with) / median(without));
 }
 
-WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
-    WriteQueue::Item item{frame, nullptr, nullptr};
-    std::optional<PlacedMoment> now, before;
+WriteQueue::Item FrameMaker::make(int frame, const Placed& placed, Statistics& statistics) {
+    const auto& [moment, camera] = placed.now;
+    WriteQueue::Item item{frame, nullptr, nullptr, std::nullopt};
     std::map<std::size_t, std::vector<double>> milliseconds;  // per counter, of each repeat
     for (int repeat = 0; repeat < job_.diagnostics.repeats; ++repeat) {
         const Clock::time_point start = Clock::now();
-        now = at(frame);
-        if (outputs_.wants("motion")) before = at(frame - 1);
-        item.pixels = std::make_unique<FramePixels>(
-            renderAccumulated(renderer_, *now, outputs_, frame, statistics, before ? &*before : nullptr));
-        const std::chrono::duration<double, std::milli> whole = Clock::now() - start;
-        milliseconds[Counter("time.frame").index()].push_back(whole.count());
+        item.pixels = std::make_unique<FramePixels>(renderAccumulated(
+            renderer_, placed.now, outputs_, frame, statistics, placed.before ? &*placed.before : nullptr));
+        milliseconds[Counter("time.frame").index()].push_back(placed.milliseconds + millisecondsSince(start));
         for (const auto& [pass, time] : item.pixels->milliseconds) milliseconds[pass].push_back(time);
     }
     if (job_.diagnostics.profile) {
@@ -83,14 +93,13 @@ WriteQueue::Item FrameMaker::make(int frame, Statistics& statistics) {
             statistics.record(frame, {}, Counter::at(counter), median(values));
         }
     }
-    if (shadowed_) measureRatio(*now, frame, statistics);
+    if (shadowed_) measureRatio(placed.now, frame, statistics);
     if (against_) {
         FrameOutputs itsFill;
         itsFill.radiance = false;
         itsFill.overdraw = true;
         Statistics unused;
-        item.against =
-            std::make_unique<FramePixels>(against_->render(now->moment, now->camera, itsFill, frame, unused));
+        item.against = std::make_unique<FramePixels>(against_->render(moment, camera, itsFill, frame, unused));
     }
     return item;
 }

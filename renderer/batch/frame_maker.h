@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "batch/write_queue.h"
 #include "diagnostics/statistics.h"
@@ -16,15 +17,26 @@ class FrameMaker {
 public:
     /// Job and composition must outlive it.
     /// @param first  the scene at the first frame's time
+    /// @param figures  counters are wanted, also where the job asks for none
     /// @throws Error
-    FrameMaker(const Job& job, const Composition& composition, const Moment& first, const gpu::Context& context);
+    FrameMaker(const Job& job, const Composition& composition, const Moment& first, const gpu::Context& context,
+               bool figures);
 
-    WriteQueue::Item make(int frame, Statistics& statistics);
+    /// The scene at a frame, and at the one before where an AOV looks at it.
+    struct Placed {
+        PlacedMoment now;
+        std::optional<PlacedMoment> before;
+        double milliseconds = 0.0;  // that it took to find them
+    };
+    Placed place(int frame) const;
+
+    WriteQueue::Item make(int frame, const Placed& placed, Statistics& statistics);
 
     const FrameOutputs& outputs() const { return outputs_; }
+    /// Whether positions are made on the device.
+    bool deforms() const { return renderer_.geometry().deforms(); }
 
 private:
-    PlacedMoment at(int frame) const;
     double pictureMilliseconds(FrameRenderer& renderer, const PlacedMoment& now, int frame) const;
     void measureRatio(const PlacedMoment& now, int frame, Statistics& statistics);
 

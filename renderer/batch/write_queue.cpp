@@ -53,19 +53,24 @@ std::vector<WriteQueue::Done> WriteQueue::takeDone() {
 
 std::vector<WriteQueue::Done> WriteQueue::finish() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return (waiting_.empty() && writing_ == 0) || error_; });
+    changed_.wait(lock, [&] { return (waiting_.empty() && writing_.empty()) || error_; });
     rethrow();
     return std::exchange(done_, {});
+}
+
+bool WriteQueue::isReady() const {
+    const std::optional<int>& other = waiting_.front().sameAs;
+    return !other || std::ranges::find(writing_, *other) == writing_.end();
 }
 
 void WriteQueue::work() {
     std::unique_lock lock(mutex_);
     for (;;) {
-        changed_.wait(lock, [&] { return !waiting_.empty() || closed_; });
+        changed_.wait(lock, [&] { return error_ || (waiting_.empty() ? closed_ : isReady()); });
         if (waiting_.empty() || error_) return;
         const Item item = std::move(waiting_.front());
         waiting_.pop_front();
-        ++writing_;
+        writing_.push_back(item.frame);
         changed_.notify_all();
         lock.unlock();
         const auto start = std::chrono::steady_clock::now();
@@ -77,7 +82,7 @@ void WriteQueue::work() {
         }
         const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
         lock.lock();
-        --writing_;
+        std::erase(writing_, item.frame);
         if (error) {
             if (!error_) error_ = error;
         } else {

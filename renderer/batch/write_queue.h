@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -21,6 +22,7 @@ public:
     struct Item {
         int frame = 0;
         std::unique_ptr<FramePixels> pixels, against;  // against: see writeFrameFiles()
+        std::optional<int> sameAs;                     // an earlier frame, pushed before; then there are no pixels
     };
     struct Done {
         int frame = 0;
@@ -28,6 +30,7 @@ public:
     };
 
     /// @param workerCount  0: one less than the processor has, at least one
+    /// @param write  of a frame that is the same as another: called when that one is written
     WriteQueue(int workerCount, std::function<void(const Item&)> write);
     ~WriteQueue();
 
@@ -40,6 +43,7 @@ public:
 
 private:
     void work();
+    bool isReady() const;
     void rethrow();
 
     std::function<void(const Item&)> write_;
@@ -48,7 +52,7 @@ private:
     std::deque<Item> waiting_;
     std::vector<Done> done_;
     std::exception_ptr error_;
-    std::size_t writing_ = 0;
+    std::vector<int> writing_;  // frames
     bool closed_ = false;
     std::vector<std::jthread> workers_;
 };

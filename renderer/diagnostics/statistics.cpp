@@ -17,6 +17,11 @@ void Statistics::record(int frame, const StatisticsPlace& place, Quantity quanti
     frames_[frame][place].distributions[quantity.index()] = distribution;
 }
 
+void Statistics::repeat(int frame, int earlier) {
+    const auto found = frames_.find(earlier);
+    if (found != frames_.end()) frames_[frame] = found->second;
+}
+
 StatisticsFile Statistics::file(std::vector<std::pair<std::string, std::string>> header) const {
     StatisticsFile file;
     file.header = std::move(header);

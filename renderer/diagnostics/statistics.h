@@ -17,6 +17,9 @@ public:
     /// @param distribution  replaces one recorded before
     void record(int frame, const StatisticsPlace& place, Quantity quantity, const Distribution& distribution);
 
+    /// A frame's numbers are those of an earlier one.
+    void repeat(int frame, int earlier);
+
     /// @param header  sequence, version, device, clock
     StatisticsFile file(std::vector<std::pair<std::string, std::string>> header) const;
 

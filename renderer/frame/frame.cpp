@@ -7,8 +7,10 @@
 #include <functional>
 
 #include "error.h"
+#include "frame/caster_limits.h"
 #include "frame/light_counts.h"
 #include "frame/read_aovs.h"
+#include "frame/read_host.h"
 #include "frame/record.h"
 #include "frame/tile_masks.h"
 #include "frame/volume_diagnostics.h"
@@ -27,7 +29,6 @@
 #include "shadow/geometry.h"
 #include "shadow/layers.h"
 #include "shadow/masks.h"
-#include "shadow/split_picture.h"
 
 namespace umbrage {
 namespace {
@@ -89,9 +90,8 @@ struct FrameRenderer::Impl {
     VolumeRenderer volumes{settings.samples, *technique};
     VolumeDiagnostics diagnostics{gbuffer, geometry, silhouettes, volumes};
     AovReader aovs{scene, geometry, materials, surfaces, gbuffer, resolve};
-    std::vector<bool> unseen;                          // per instance: its box is out of view
-    std::vector<Geometry::Bounds> modelBounds, boxes;  // per instance, this frame: in model space, in the world
-    std::unique_ptr<Masks> masks;                      // made anew when the number of groups of lights grows
+    CasterLimits limits;
+    std::unique_ptr<Masks> masks;  // made anew when the number of groups of lights grows
     gpu::Buffer viewBuffer{"view", sizeof(gpu::ViewData)}, lightBuffer;
     Eye eye;  // of the last frame
     std::vector<ShadowLight> shadowLights;
@@ -121,15 +121,14 @@ struct FrameRenderer::Impl {
     void begin(Counter pass) { profiler.pass(int(pass.index())); }
 
     void uploadView(const std::vector<const PlacedLight*>& lights);
-    void findBoxes();
     CountSettings findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame);
-    void limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights, bool exactCounts);
     void castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights, const FrameOutputs& outputs,
                      int frame, FrameRecorder& recorder, const PlanesOf& planesOf);
+    /// What is shaded where the host does it.
+    HostResolve::Input shadingInput() const {
+        return {gbuffer, seen, *masks, silhouettes, viewData, lightsInView, surfaces.anyEmissive()};
+    }
     std::vector<float> shade();
-    void shadeLights(FramePixels& pixels);
-    void drawSplitPlanes(FramePixels& pixels) const;
-    void readSamples(FramePixels& pixels);
 };
 
 void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& lights) {
@@ -159,16 +158,6 @@ void FrameRenderer::Impl::uploadView(const std::vector<const PlacedLight*>& ligh
     }
 }
 
-void FrameRenderer::Impl::findBoxes() {
-    modelBounds = geometry.modelBounds();
-    boxes = worldBounds(geometry, modelBounds);
-    const std::array<HalfSpace, 4> sides = sidesOfView(eye);
-    unseen.assign(boxes.size(), false);
-    for (std::size_t i = 0; settings.skipOutOfView && i < boxes.size(); ++i) {
-        unseen[i] = outOfView(cornersOf(boxes[i]), sides);
-    }
-}
-
 /// T1: casters that are partly missing from the depth buffer need caps and are counted whole.
 CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<const PlacedLight*>& lights, int frame) {
     silhouettes.casters.reserve("casters", geometry.instanceCount() * sizeof(gpu::CasterState));
@@ -176,7 +165,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     silhouettes.hostCasters.assign(geometry.instanceCount(), {});
     if (settings.shadows && !tiles) {  // which looks at single triangles instead
         gbuffer.depthOnly.bind();
-        surfaces.findExposed(geometry, materials, unseen, silhouettes.casters);
+        surfaces.findExposed(geometry, materials, limits.unseen(), silhouettes.casters);
         silhouettes.casters.read(0, silhouettes.hostCasters.size() * sizeof(gpu::CasterState),
                                  silhouettes.hostCasters.data());
     }
@@ -184,7 +173,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     found.eyeConstant = settings.eyeConstant && settings.fault != Fault::NoEyeConstant;
     found.halve = halve;
     found.perspective = eye.perspective;
-    const std::vector<bool> nearer = nearerThanNearPlane(geometry, modelBounds, eye);
+    const std::vector<bool> nearer = nearerThanNearPlane(geometry, limits.modelBounds(), eye);
     found.holed = tiles ? std::vector<bool>(geometry.instanceCount()) : surfaces.holed();
     std::vector<std::string> ids;
     std::vector<double> rangesMetres;
@@ -192,7 +181,7 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
         ids.push_back(light->id);
         rangesMetres.push_back(light->light.rangeMetres);
     }
-    counts.begin({geometry, modelBounds, eye, shadowLights, rangesMetres}, frame, std::move(ids));
+    counts.begin({geometry, limits.modelBounds(), eye, shadowLights, rangesMetres}, frame, std::move(ids));
     std::vector<bool> whole(geometry.instanceCount());
     for (std::size_t i = 0; i < whole.size(); ++i) {
         if (nearer[i] && !tiles) silhouettes.hostCasters[i].missing = 1;
@@ -200,38 +189,6 @@ CountSettings FrameRenderer::Impl::findCasters(bool halve, const std::vector<con
     }
     geometry.setWhole(whole);
     return found;
-}
-
-/// Which casters need no volumes, and where those of the others may end.
-/// @param exactCounts  counts matter, not only whether they are zero: no skip that changes them
-void FrameRenderer::Impl::limitVolumes(const LightGroup& group, const std::vector<const PlacedLight*>& lights,
-                                       bool exactCounts) {
-    for (gpu::CasterState& caster : silhouettes.hostCasters) {
-        caster.outOfReach = caster.outOfView = 0;
-        std::fill(std::begin(caster.ends), std::end(caster.ends), 0u);
-    }
-    silhouettes.extents.assign(group.count, {});
-    if (exactCounts) return;
-    std::vector<BoxCorners> corners;
-    for (const Geometry::Bounds& box : boxes) corners.push_back(cornersOf(box));
-    const std::array<HalfSpace, 4> viewSides = sidesOfView(eye);
-    for (std::uint32_t l = 0; l < group.count; ++l) {
-        const PlacedLight& light = *lights[group.first + l];
-        const ShadowLight& place = shadowLights[group.first + l];
-        const LightReach reach = lightReach(light, place);
-        const LightExtent extent(boxes, reach, eye);
-        const bool ends = counts.endsVolumes(group.first + l, settings.endVolumes);
-        silhouettes.extents[l] = extent.facesInView(eye);
-        for (std::size_t i = 0; i < silhouettes.hostCasters.size(); ++i) {
-            gpu::CasterState& caster = silhouettes.hostCasters[i];
-            const bool beyond = settings.skipOutOfReach && outOfReach(boxes[i], reach);
-            const bool volumeUnseen = settings.skipOutOfView && outOfView(corners[i], place, viewSides);
-            caster.outOfReach |= std::uint32_t(beyond) << l;
-            caster.outOfView |= std::uint32_t(volumeUnseen) << l;
-            if (!ends || beyond || volumeUnseen) continue;
-            caster.ends[l / 10] |= extent.endOf(corners[i]) << (3 * (l % 10));
-        }
-    }
 }
 
 void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<const PlacedLight*>& lights,
@@ -257,10 +214,10 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
             // z-fail has no constant there and would need caps of both ends; z-pass needs neither (T5).
             if (parallelToView(*lights[first + l], eye)) byFail &= ~(1u << l);
         }
-        limitVolumes(group, lights, outputs.counts);
+        limits.limitVolumes(group, {lights, shadowLights, counts}, eye, settings, outputs.counts, silhouettes);
         if (casterParts) {
             const auto ofGroup = std::span(shadowLights).subspan(first, group.count);
-            casterParts->choose(moment, geometry, modelBounds, ofGroup, first, eye, depthSamples);
+            casterParts->choose(moment, geometry, limits.modelBounds(), ofGroup, first, eye, depthSamples);
             if (outputs.splitPlanes) {
                 parts.insert(parts.end(), casterParts->chosen().begin(), casterParts->chosen().end());
             }
@@ -272,9 +229,9 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
         if ((tiles || hostResolve) && !technique->onHost()) silhouettes.readFaces(group);
         if (!settings.shadows || group.count == 0) continue;
         // The tile counter's own counts have no bound.
-        const std::vector<std::uint32_t> layers = tiles
-                                                      ? std::vector<std::uint32_t>(group.count)
-                                                      : layerBound.find(geometry, silhouettes, group, radiusOf(boxes));
+        const std::vector<std::uint32_t> layers =
+            tiles ? std::vector<std::uint32_t>(group.count)
+                  : layerBound.find(geometry, silhouettes, group, radiusOf(limits.boxes()));
         std::vector<std::vector<CountPlan>> plans;
         begin("time.counts");
         for (std::uint32_t l = 0; l < group.count; ++l) {
@@ -314,67 +271,15 @@ void FrameRenderer::Impl::castShadows(const Moment& moment, const std::vector<co
 std::vector<float> FrameRenderer::Impl::shade() {
     begin("time.resolve");
     if (hostResolve) {
-        return hostResolve->shade({gbuffer, seen, *masks, silhouettes, viewData, lightsInView, surfaces.anyEmissive()});
+        return hostResolve->shade(shadingInput());
     }
     resolve.shade(gbuffer, *masks, silhouettes);
     if (surfaces.anyBlended()) {
         begin("time.blended");
-        surfaces.drawBlended(geometry, materials, eye, boxes);
+        surfaces.drawBlended(geometry, materials, eye, limits.boxes());
     }
     begin("time.readback");
     return resolve.readRadiance();
-}
-
-/// The AOV `light` by what the picture was made by: highlights amplify how things are rounded, and these add up to it.
-void FrameRenderer::Impl::shadeLights(FramePixels& pixels) {
-    gpu::ViewData dark = viewData;
-    dark.ambientSky = dark.ambientGround = dark.background = glm::vec4(0.0f);
-    for (std::size_t l = 0; l < shining.size(); ++l) {
-        std::vector<gpu::LightData> alone = lightsInView;
-        for (std::size_t other = 0; other < alone.size(); ++other) {
-            if (other != l) alone[other].color.w = 0.0f;
-        }
-        const std::vector<float> rgba = hostResolve->shade({gbuffer, seen, *masks, silhouettes, dark, alone, false});
-        AovPlane& plane = pixels.lights[shining[l]].aovs["light"];
-        const auto components = std::size_t(plane.components);
-        for (std::size_t i = 0; i < plane.values.size(); ++i) {
-            plane.values[i] = rgba[4 * (i / components) + i % components];
-        }
-    }
-}
-
-void FrameRenderer::Impl::readSamples(FramePixels& pixels) {
-    const std::vector<glm::vec2> positions = gbuffer.samplePositions();
-    for (const glm::vec2& position : positions) {
-        pixels.seen.positions.push_back(position +
-                                        glm::vec2(0.5 * eye.shift * glm::dvec2(settings.width, -settings.height)));
-    }
-    for (std::size_t s = 0; s < positions.size(); ++s) {
-        // Also without any light there is one group: it says what is seen.
-        for (std::uint32_t first = 0; first == 0 || first < shining.size(); first += LIGHTS_PER_GROUP) {
-            const std::vector<gpu::uvec2> sample =
-                resolve.readSample(gbuffer, *masks, silhouettes, int(s), positions[s], first / LIGHTS_PER_GROUP);
-            if (first == 0) {
-                for (const gpu::uvec2& pixel : sample) pixels.seen.triangles.push_back(pixel.x);
-            }
-            for (std::size_t l = first; l < std::min<std::size_t>(first + LIGHTS_PER_GROUP, shining.size()); ++l) {
-                std::vector<std::uint8_t>& reaches = pixels.lights[shining[l]].reaches;
-                for (const gpu::uvec2& pixel : sample) reaches.push_back(pixel.y >> (l - first) & 1u);
-            }
-        }
-    }
-    for (LightPlanes& planes : pixels.lights) planes.reaches.resize(pixels.seen.triangles.size());
-}
-
-void FrameRenderer::Impl::drawSplitPlanes(FramePixels& pixels) const {
-    SplitPicture picture(settings.width, settings.height);
-    std::vector<float> distances(pixels.normalAndDepth.size() / 4);
-    for (std::size_t i = 0; i < distances.size(); ++i) distances[i] = pixels.normalAndDepth[4 * i + 3];
-    for (std::size_t l = 0; l < parts.size(); ++l) {
-        const glm::vec3 color = colorOfLight(shining[l]);
-        picture.add(parts[l], shadowLights[l], eye, color, distances);
-    }
-    pixels.splitPlanes = std::move(picture.values);
 }
 
 FrameRenderer::FrameRenderer(const Scene& scene, const Moment& first, const FrameSettings& settings,
@@ -440,15 +345,15 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
     r.begin("time.position");
     r.geometry.update(r.scene, moment, eye);
     r.uploadView(lights);
-    r.findBoxes();
+    r.limits.begin(r.geometry, eye, r.settings);
     r.begin("time.gbuffer");
     r.gbuffer.begin(eye.emptyDepth());
-    r.surfaces.drawOpaque(r.geometry, r.materials, r.unseen);
+    r.surfaces.drawOpaque(r.geometry, r.materials, r.limits.unseen());
     r.castShadows(moment, lights, outputs, frame, recorder, planesOf);
     if (r.settings.maskMaker) {
         r.begin("time.counts");
-        r.settings.maskMaker->make(
-            {r.geometry, r.surfaces, r.gbuffer, *r.masks, r.silhouettes, eye, lights, r.boxes, r.unseen});
+        r.settings.maskMaker->make({r.geometry, r.surfaces, r.gbuffer, *r.masks, r.silhouettes, eye, lights,
+                                    r.limits.boxes(), r.limits.unseen()});
     }
     pixels.notes = r.counts.takeNotes();
     if (outputs.radiance) pixels.radiance = r.shade();
@@ -459,9 +364,9 @@ FramePixels FrameRenderer::render(const Moment& moment, const PlacedCamera& came
         const gpu::Uncounted uncounted;
         r.diagnostics.finish(r.scene, moment);
         r.aovs.read(outputs, *r.masks, r.silhouettes, eye, r.shining, pixels);
-        if (r.hostResolve && outputs.wants("light")) r.shadeLights(pixels);
-        if (outputs.samples) r.readSamples(pixels);
-        if (outputs.splitPlanes) r.drawSplitPlanes(pixels);
+        if (r.hostResolve && outputs.wants("light")) shadeLights(r.shadingInput(), *r.hostResolve, r.shining, pixels);
+        if (outputs.samples) readSamples(r.shadingInput(), r.resolve, eye, r.shining, pixels);
+        if (outputs.splitPlanes) drawSplitPlanes(r.settings, r.parts, r.shadowLights, eye, r.shining, pixels);
     }
     if (outputs.figures && outputs.scene) recorder.scene(pixels.scene);
     if (outputs.figures) recorder.finish(moment.lights.size() - lights.size(), r.counts.fellBackCount());

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "shading/lights.h"
+
 namespace umbrage {
 namespace {
 
@@ -59,6 +61,16 @@ void FillSums::add(const FillSums& other) {
     entered += other.entered;
     left += other.left;
     net += other.net;
+}
+
+void recordActivity(int frame, const gpu::Activity& begin, Statistics& statistics) {
+    const gpu::Activity& now = gpu::activity();
+    statistics.record(frame, {}, "device.draws", double(now.draws - begin.draws));
+    statistics.record(frame, {}, "device.dispatches", double(now.dispatches - begin.dispatches));
+    statistics.record(frame, {}, "device.stateChanges", double(now.stateChanges - begin.stateChanges));
+    statistics.record(frame, {}, "device.uploaded", double(now.uploadedBytes - begin.uploadedBytes));
+    statistics.record(frame, {}, "device.readBack", double(now.readBackBytes - begin.readBackBytes));
+    statistics.record(frame, {}, "memory.device", double(now.allocatedBytes));
 }
 
 FrameRecorder::FrameRecorder(const Scene& scene, const Moment& moment, const Geometry& geometry, const Picture& picture,
@@ -123,6 +135,7 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
     statistics_.record(frame_, place, "edges.silhouette.once", summary.silhouetteEdges - summary.doubleEdges);
     statistics_.record(frame_, place, "edges.silhouette.twice", summary.doubleEdges);
     statistics_.record(frame_, place, "quads", quads);
+    statistics_.record(frame_, place, "quads.halved", halve ? summary.lists[LIST_HALVED].count / 6 : 0);
     statistics_.record(frame_, place, "caps.light", summary.lightCaps);
     statistics_.record(frame_, place, "caps.dark", summary.darkCaps);
     statistics_.record(frame_, place, "caps.near.trivial", nearCaps[NEAR_CAP_TRIVIAL]);
@@ -192,16 +205,14 @@ void FrameRecorder::finish(std::size_t lightsSkipped, std::size_t lightsFellBack
         edges += topology.figures.edges;
     }
     statistics_.record(frame_, {}, "triangles", triangles);
+    statistics_.record(frame_, {}, "casters", double(casters_.size()));
     statistics_.record(frame_, {}, "edges", edges);
     statistics_.record(frame_, {}, "lights.fellBack", double(lightsFellBack));
     statistics_.record(frame_, {}, "lights.skipped", double(lightsSkipped));
-    const gpu::Activity& now = gpu::activity();
-    statistics_.record(frame_, {}, "device.draws", double(now.draws - begin_.draws));
-    statistics_.record(frame_, {}, "device.dispatches", double(now.dispatches - begin_.dispatches));
-    statistics_.record(frame_, {}, "device.stateChanges", double(now.stateChanges - begin_.stateChanges));
-    statistics_.record(frame_, {}, "device.uploaded", double(now.uploadedBytes - begin_.uploadedBytes));
-    statistics_.record(frame_, {}, "device.readBack", double(now.readBackBytes - begin_.readBackBytes));
-    statistics_.record(frame_, {}, "memory.device", double(now.allocatedBytes));
+    for (const PlacedLight& light : moment_.lights) {
+        if (!isOn(light.light)) statistics_.record(frame_, {.light = light.id}, "lights.skipped", 1.0);
+    }
+    recordActivity(frame_, begin_, statistics_);
     const auto tiles = [](int pixels) { return (pixels + kTile - 1) / kTile; };
     statistics_.record(frame_, {}, "tiles", double(tiles(picture_.width)) * tiles(picture_.height));
     if (fragments_.empty()) return;

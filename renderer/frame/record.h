@@ -28,6 +28,9 @@ struct FillSums {
     double updates() const { return entered + left; }
 };
 
+/// What the device was asked for since `begin`, of a frame.
+void recordActivity(int frame, const gpu::Activity& begin, Statistics& statistics);
+
 /// Records one frame.
 class FrameRecorder {
 public:

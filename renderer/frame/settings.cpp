@@ -79,14 +79,10 @@ FrameSettings settingsOf(const Job& job, const Composition& composition) {
     settings.extrusionMetres = job.shadow.extrusionMetres;
     settings.eyeConstant = job.shadow.eyeConstant;
     settings.parts = job.shadow.parts;
-    const auto skip = [&](const char* name) {
-        const auto found = job.shadow.skips.find(name);
-        return found == job.shadow.skips.end() || found->second;
-    };
-    settings.halveEvenComponents = skip("halve");
-    settings.skipOutOfReach = skip("range");
-    settings.skipOutOfView = skip("view");
-    settings.endVolumes = skip("extent");
+    settings.halveEvenComponents = job.shadow.isSkipOn("halve");
+    settings.skipOutOfReach = job.shadow.isSkipOn("range");
+    settings.skipOutOfView = job.shadow.isSkipOn("view");
+    settings.endVolumes = job.shadow.isSkipOn("extent");
     settings.background = vec3Of(job.image.background);
     settings.ambientSky = composition.ambientSky;
     settings.ambientGround = composition.ambientGround;

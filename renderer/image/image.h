@@ -133,4 +133,8 @@ const Codec& codec();
 /// @throws Error(Output)
 void writeWhole(const std::filesystem::path& file, std::string_view bytes);
 
+/// Makes `file` the same as another: a hard link where the file system has them, else a copy; whole or not at all.
+/// @throws Error(Output)
+void repeatWhole(const std::filesystem::path& file, const std::filesystem::path& other);
+
 }  // namespace umbrage

@@ -20,13 +20,23 @@ Error unwritable(const std::filesystem::path& file, const std::string& action, i
             "make room or choose another place with --out"};
 }
 
+void makeFolderOf(const std::filesystem::path& file) {
+    std::error_code failed;
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
+    if (failed) throw unwritable(file, "make the folder", failed.value());
+}
+
+/// In the same folder, and of this thread alone: several threads of several processes may write there.
+std::filesystem::path temporaryName(const std::filesystem::path& target) {
+    static std::atomic<unsigned> count{0};
+    return target.parent_path() /
+           fmt::format(".{}.{}-{}.tmp", target.filename().string(), ::getpid(), count.fetch_add(1));
+}
+
 /// A file that disappears again unless it is renamed to its final name.
 class TemporaryFile {
 public:
-    explicit TemporaryFile(const std::filesystem::path& target) : target_(target) {
-        static std::atomic<unsigned> count{0};  // several threads of one process may write the same folder
-        path_ = target.parent_path() /
-                fmt::format(".{}.{}-{}.tmp", target.filename().string(), ::getpid(), count.fetch_add(1));
+    explicit TemporaryFile(const std::filesystem::path& target) : target_(target), path_(temporaryName(target)) {
         descriptor_ = ::open(path_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
         if (descriptor_ < 0) throw unwritable(target_, "write into this folder", errno);
     }
@@ -63,12 +73,23 @@ private:
 }  // namespace
 
 void writeWhole(const std::filesystem::path& file, std::string_view bytes) {
-    std::error_code failed;
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
-    if (failed) throw unwritable(file, "make the folder", failed.value());
+    makeFolderOf(file);
     TemporaryFile temporary(file);
     temporary.write(bytes);
     temporary.keep();
+}
+
+void repeatWhole(const std::filesystem::path& file, const std::filesystem::path& other) {
+    makeFolderOf(file);
+    const std::filesystem::path temporary = temporaryName(file);
+    std::error_code failed;
+    std::filesystem::create_hard_link(other, temporary, failed);
+    if (failed) std::filesystem::copy_file(other, temporary, failed);  // says why, if there is a reason
+    if (!failed) std::filesystem::rename(temporary, file, failed);
+    // Also where all went well: two names of one file are left alone by rename().
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    if (failed) throw unwritable(file, "make it the same as " + other.string(), failed.value());
 }
 
 }  // namespace umbrage

@@ -173,6 +173,11 @@ struct Job {
         bool eyeConstant = true;          // off: the textbook z-pass, wrong with the eye in a volume
         JobParts parts;
         std::map<std::string, bool> skips;  // skip name -> on; absent: on
+
+        bool isSkipOn(const std::string& name) const {
+            const auto found = skips.find(name);
+            return found == skips.end() || found->second;
+        }
     } shadow;
 
     struct Color {

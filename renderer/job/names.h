@@ -97,6 +97,10 @@ inline constexpr std::array kSkips = {
     NameAndMeaning{"range", "casters out of a light's range or cone, and what it cannot light"},
     NameAndMeaning{"view", "casters whose volumes no view ray meets, and instances out of view"},
     NameAndMeaning{"extent", "volumes end behind all that the light can shine on"},
+    NameAndMeaning{"channels", "animation channels that move nothing that is seen, casts, shines or sees"},
+    NameAndMeaning{"frames",
+                   "a frame of the run in which nothing changed is not rendered: its files are links to the "
+                   "earlier one's, or copies; not where times are measured"},
 };
 
 }  // namespace umbrage

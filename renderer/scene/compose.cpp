@@ -13,6 +13,7 @@
 #include "scene/append_scene.h"
 #include "scene/compose_parts.h"
 #include "scene/generated.h"
+#include "scene/idle_channels.h"
 #include "scene/node_paths.h"
 
 namespace umbrage {
@@ -90,6 +91,10 @@ Composition compose(const Job& job, const GltfOptions& options) {
             composition.ambientSky = ambient.sky;
             composition.ambientGround = ambient.ground;
         }
+    }
+    // Split planes go through points of any node.
+    if (job.shadow.isSkipOn("channels") && job.shadow.parts.ownSplitPlanes.empty()) {
+        composition.idleChannels = dropIdleChannels(scene, composition.animations, composition.cameraNode);
     }
     return composition;
 }

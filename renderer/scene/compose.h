@@ -21,6 +21,7 @@ struct Composition {
     Index cameraNode = kNone;
     std::vector<Index> animations;                    // which of the scene's play; its drivers always do
     glm::vec3 ambientSky{0.0f}, ambientGround{0.0f};  // the job's, or that of the default lights
+    std::size_t idleChannels = 0;                     // of what plays, left out: see idle_channels.h
 };
 
 /// Names of animations stand for all animations of that name; indices count through the layers. A camera's index counts

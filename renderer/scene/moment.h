@@ -60,4 +60,7 @@ std::array<glm::dvec3, 2> boundsOf(const Scene& scene, const Moment& moment);
 /// interpolated on the sphere when `spherical` is set and normalised.
 void sample(const Track& track, double timeSeconds, bool spherical, std::span<float> result);
 
+/// Whether it has the same value at all times, bit for bit.
+bool isConstant(const Track& track);
+
 }  // namespace umbrage

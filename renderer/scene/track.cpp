@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 
@@ -78,7 +79,24 @@ void normalizeSpline(const Track& track, std::size_t key, std::span<float> resul
     }
 }
 
+/// Whether nothing moves between a key and the next.
+bool isStill(const Track& track, std::size_t key) {
+    const auto width = static_cast<std::size_t>(track.width);
+    const float *value = valueOf(track, key), *next = valueOf(track, key + 1);
+    if (std::memcmp(value, next, width * sizeof *value) != 0) return false;
+    if (track.interpolation != Interpolation::CubicSpline) return true;
+    const auto isZero = [](float tangent) { return tangent == 0.0f; };
+    return std::all_of(value + width, value + 2 * width, isZero) && std::all_of(next - width, next, isZero);
+}
+
 }  // namespace
+
+bool isConstant(const Track& track) {
+    for (std::size_t key = 0; key + 1 < track.timesSeconds.size(); ++key) {
+        if (!isStill(track, key)) return false;
+    }
+    return true;
+}
 
 void sample(const Track& track, double timeSeconds, bool spherical, std::span<float> result) {
     assert(result.size() == static_cast<std::size_t>(track.width) && (!spherical || track.width == 4));
@@ -88,7 +106,8 @@ void sample(const Track& track, double timeSeconds, bool spherical, std::span<fl
         return hold(track, 0, spherical, result);
     }
     const auto key = static_cast<std::size_t>(after - times.begin()) - 1;
-    if (after == times.end() || track.interpolation == Interpolation::Step) {
+    // Interpolated, what stands still would differ by its rounding from frame to frame.
+    if (after == times.end() || track.interpolation == Interpolation::Step || isStill(track, key)) {
         return hold(track, key, spherical, result);
     }
     const double s = (timeSeconds - times[key]) / (double{times[key + 1]} - double{times[key]});

@@ -36,7 +36,8 @@ std::vector<bool> nodesWhoseScaleMoves(const Scene& scene) {
     for (const std::vector<Animation>* animations : {&scene.animations, &scene.drivers}) {
         for (const Animation& animation : *animations) {
             for (const Channel& channel : animation.channels) {
-                if (channel.target == Target::Scale) moves[std::size_t(channel.node)] = true;
+                const Track& track = animation.tracks[std::size_t(channel.track)];
+                if (channel.target == Target::Scale && !isConstant(track)) moves[std::size_t(channel.node)] = true;
             }
         }
     }
