@@ -135,7 +135,9 @@ void FrameRecorder::light(const std::string& id, std::uint32_t l, const Silhouet
     statistics_.record(frame_, place, "edges.silhouette.once", summary.silhouetteEdges - summary.doubleEdges);
     statistics_.record(frame_, place, "edges.silhouette.twice", summary.doubleEdges);
     statistics_.record(frame_, place, "quads", quads);
-    statistics_.record(frame_, place, "quads.halved", halve ? summary.lists[LIST_HALVED].count / 6 : 0);
+    statistics_.record(
+        frame_, place, "quads.halved",
+        halve ? (summary.lists[LIST_HALVED].count + summary.lists[LIST_HALVED + LIST_EDGE_ON].count) / 6 : 0);
     statistics_.record(frame_, place, "caps.light", summary.lightCaps);
     statistics_.record(frame_, place, "caps.dark", summary.darkCaps);
     statistics_.record(frame_, place, "caps.near.trivial", nearCaps[NEAR_CAP_TRIVIAL]);

@@ -48,8 +48,9 @@ public:
                 "as 1. Silhouettes are those of meshes whose edges have at\nmost two triangles; edges with more are "
                 "counted in pairs of triangles, each for itself.\n\n"
                 "Not in the table: `overdraw.queried`, which is the device's count beside `overdraw.fragments`; "
-                "`memory.peak`, which\nis the system's; and `time.*`, which have nothing to be compared with (the "
-                "passes are tested to take no longer than\nthe frame).\n\n"
+                "`memory.peak`, which\nis the system's; `frames.reused` and `channels.idle`, which "
+                "tests/cli/reuse_test.cpp compares; and `time.*`, which\nhave nothing to be compared with (the "
+                "passes are tested to take no longer than the frame).\n\n"
                 "| counter | against | numbers | of them different | ours | theirs | largest difference |\n"
                 "|---|---|--:|--:|--:|--:|--:|\n";
         for (const auto& [key, row] : rows_) {

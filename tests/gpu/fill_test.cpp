@@ -206,7 +206,19 @@ TEST(Fill, WhatIsOutOfALightsReachIsSkipped) {
     }
     EXPECT_GT(all, 10.0);
     expectCounter("lights.skipped", "lights that are off", counted.value("lights.skipped"), off);
+    expectCounter("casters", "meshes of the moment", counted.value("casters"), double(counted.moment.instances.size()));
     expectCounter("tiles", "the picture's size", counted.value("tiles"), 128.0 / 8 * 96 / 8);
+}
+
+TEST(Fill, AHalvedQuadStandsForTwo) {
+    const Subject subject = ours("courtyard", 128, 96);
+    const Counted halved(subject, {}), whole(subject, {.halve = false});
+    for (const auto& [id, light] : halved.json["lights"].items()) {
+        EXPECT_GT(halved.value(id, "quads.halved"), 0.0) << id;
+        EXPECT_EQ(whole.value(id, "quads.halved"), 0.0) << id;
+        expectCounter("quads.halved", "quads less than without", halved.value(id, "quads.halved"),
+                      whole.value(id, "quads") - halved.value(id, "quads"));
+    }
 }
 
 TEST(Fill, SkippedCastersFillNothingAndEndedOnesLess) {

@@ -146,7 +146,6 @@ TEST(Tracer, TracesAlikeWithEveryInstructionSet) {
 }
 
 TEST(Tracer, StandsStillWithItsScene) {
-    context();
     const Subject subject = ours("tree", 64, 48);
     const Moment moment = subject.moment(), later = evaluate(subject.scene, subject.animations, 0.25);
     Geometry geometry(subject.scene, moment);
