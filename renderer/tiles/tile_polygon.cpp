@@ -139,25 +139,28 @@ PixelFunction beforeTheNear(const TileEye& eye, PixelFunction depth) {
 /// @param hairP, hairQ  by which they move
 dvec3 lineThrough(const dvec3& p, const dvec3& q, const dvec3& hairP, const dvec3& hairQ) {
     const dvec3 line = cross(p, q);
-    if (length(line) > kTells * (length(hairP) * length(q) + length(hairQ) * length(p))) return line;
+    const double hairs = dot(hairP, hairP) * dot(q, q) + dot(hairQ, hairQ) * dot(p, p);
+    if (dot(line, line) > kTells * kTells * hairs) return line;
     return cross(p + hairP, q + hairQ);
 }
 
 }  // namespace
 
 double eyeBeside(const TileEye& eye, const dvec3& a, const dvec3& b, const TileSource& source) {
-    const double hair = length(source.eyeHair), lightHair = length(source.lightHair), w = source.light.w;
+    const double hair = dot(source.eyeHair, source.eyeHair), lightHair = dot(source.lightHair, source.lightHair);
+    const double w = source.light.w;
     const dvec3 l(source.light);
     if (eye.perspective) {
-        const double beside = dot(cross(a, b), l), la = length(a), lb = length(b);
-        if (std::abs(beside) > kTells * (hair * (la + lb) * length(l) + lightHair * la * lb)) return beside;
+        const double beside = dot(cross(a, b), l), aa = dot(a, a), bb = dot(b, b);
+        if (beside * beside > kTells * kTells * (hair * (aa + bb) * dot(l, l) + lightHair * aa * bb)) return beside;
         return dot(cross(a + source.eyeHair, b + source.eyeHair), dvec3(source.movedLight()));
     }
     const auto besideOf = [&](const dvec3& light) {
         return w != 0.0 ? cross(a - light, b - light) : cross(b - a, light);
     };
-    const double beside = -besideOf(l).z, size = w != 0.0 ? length(a - l) + length(b - l) : length(b - a) + length(l);
-    if (std::abs(beside) > kTells * (hair + lightHair) * size) return beside;
+    const dvec3 from = w != 0.0 ? a - l : b - a, to = w != 0.0 ? b - l : l;
+    const double beside = -besideOf(l).z;
+    if (beside * beside > kTells * kTells * (hair + lightHair) * (dot(from, from) + dot(to, to))) return beside;
     return -besideOf(l + source.lightHair).z;  // differences, which the eye's hair does not change
 }
 
