@@ -25,8 +25,8 @@ struct Technique {
 /// Those of techniqueNames().
 std::vector<Technique> allTechniques();
 
-/// The job with the fastest exact technique on a device where it says `auto`. Figures and pictures of what shadow volumes
-/// cost a rasteriser are about one that has one.
+/// The job with the fastest exact technique on a device where it says `auto`. Figures and pictures of what shadow
+/// volumes cost a rasteriser are about one that has one.
 Job chosenFor(Job job, const gpu::DeviceInfo& device, const FrameOutputs& outputs = {});
 
 /// The job's; where it still says `auto`, what every device can.
