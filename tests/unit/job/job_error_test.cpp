@@ -16,8 +16,9 @@ TEST(JobErrors, UnknownKeysNameTheNearestOne) {
                   {"s.yaml:3:1", "unknown key \"shadwo\" in sequence", "did you mean \"shadow\"?"});
     expectRefused(sequence("time: {fps: 24, frame: 1}\n"),
                   {"s.yaml:3:17", "unknown key \"frame\" in time", "did you mean \"frames\"?"});
-    expectRefused(sequence("image:\n  size: [4, 4]\n  colour: 1\n"),
-                  {"s.yaml:5:3", "unknown key \"colour\" in image", "known: size, samples, accumulation, background, ambient"});
+    expectRefused(
+        sequence("image:\n  size: [4, 4]\n  colour: 1\n"),
+        {"s.yaml:5:3", "unknown key \"colour\" in image", "known: size, samples, accumulation, background, ambient"});
     expectRefused("umbrage: 1\nscene:\n- over:\n    /A: {light: {intensty: 4}}\n- gltf: a.glb\n",
                   {"s.yaml:4:18", "unknown key \"intensty\"", "intensity"});
     expectRefused(sequence("lights: [{type: point, name: a, postion: [0, 0, 0]}]\n"),
